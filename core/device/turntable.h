@@ -1,0 +1,45 @@
+// A table that turns to an angle and says when it stands still there.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/result.h"
+#include "core/base/task.h"
+#include "core/scan/device_info.h"
+
+namespace gyre {
+
+// Used by one thread at a time, but for stop(), which any thread may call at any time.
+// Angles are the table's own: positive counter-clockwise seen from above.
+class Turntable {
+ public:
+  virtual ~Turntable() = default;
+
+  // Turns to the angle and returns when the table is known to stand still there. The angle is
+  // rounded to whole motor steps, the remainder carried by computing each target from angle 0.
+  // A stop request in the task or stop() slows the table down and returns kCancelled.
+  virtual Result<void> moveTo(double angle_rad, const Task& task) = 0;
+
+  // The angle, and the motor steps from angle 0, of the last confirmed standstill.
+  virtual double angleRad() const = 0;
+  virtual std::int64_t steps() const = 0;
+
+  // Declares that the table now stands at this angle. Moves nothing.
+  virtual Result<void> setAngle(double angle_rad) = 0;
+
+  // Slows down and stops; returns at once. Motion that was asked for before never goes on.
+  virtual void stop() noexcept = 0;
+
+  // Lets go of the motor, so that it cools and can be turned by hand.
+  virtual Result<void> release() = 0;
+
+  virtual TurntableInfo info() const = 0;
+
+ protected:
+  Turntable() = default;
+  Turntable(const Turntable&) = default;
+  Turntable& operator=(const Turntable&) = default;
+};
+
+}  // namespace gyre
