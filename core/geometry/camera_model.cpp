@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/camera_model.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace gyre {

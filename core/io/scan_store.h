@@ -1,0 +1,52 @@
+// A scan's folder: settings, frames and the journal that survives anything.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/scan/calibration.h"
+#include "core/scan/frame.h"
+#include "core/scan/scan.h"
+
+namespace gyre {
+
+// NAME/ with NAME.gyre, frames/, empty/, journal.jsonl and calibration.json in it. After addView()
+// has returned, the view is on the disk: the file and its journal line are written and synced.
+// Whatever instant the program is killed at, open() finds every view whose addView() had returned.
+// One thread at a time.
+class ScanStore {
+ public:
+  // Makes the folder and writes settings and calibration. Fails when the folder holds a scan
+  // already, or cannot be written.
+  static Result<ScanStore> create(const std::filesystem::path& folder, const ScanSettings& settings,
+                                  const Calibration& calibration);
+
+  // Opens the folder, or the .gyre file in it. A torn last journal line, and pictures without a
+  // line, are what a kill leaves behind: they are dropped.
+  static Result<ScanStore> open(const std::filesystem::path& folder_or_file);
+
+  const std::filesystem::path& folder() const { return folder_; }
+  const ScanSettings& settings() const { return settings_; }
+  const Calibration& calibration() const { return calibration_; }
+  const std::vector<CapturedView>& views() const { return views_; }  // ascending
+  bool complete() const;  // every view of the settings is captured
+
+  // Writes the picture losslessly, syncs it, appends and syncs the journal line.
+  Result<void> addView(const Frame& frame, std::int64_t steps);
+  Result<void> addEmptyTable(const Frame& frame);
+
+  Result<FramePtr> readView(const CapturedView& view) const;
+  Result<FramePtr> readEmptyTable() const;  // kNotFound when there is none
+
+ private:
+  ScanStore() = default;
+
+  std::filesystem::path folder_;
+  ScanSettings settings_;
+  Calibration calibration_;
+  std::vector<CapturedView> views_;
+};
+
+}  // namespace gyre

@@ -1,0 +1,21 @@
+// What a reconstruction gives.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "core/scan/point_cloud.h"
+
+namespace gyre {
+
+struct Reconstruction {
+  PointCloud cloud;
+  std::size_t observations = 0;  // in the accepted points
+  double rms_px = 0.0;           // reprojection error of the accepted observations
+  double median_px = 0.0;
+  std::map<std::string, double> seconds;  // stage -> time spent
+};
+
+}  // namespace gyre
