@@ -7,7 +7,6 @@ namespace gyre::internal {
 }  // namespace gyre::internal
 
 // Ends the program, in every build, with the condition, file and line on standard error.
-#define GYRE_CHECK(condition)                                              \
-  (static_cast<bool>(condition)                                            \
-       ? static_cast<void>(0)                                              \
-       : ::gyre::internal::checkFailed(#condition, __FILE__, __LINE__))
+#define GYRE_CHECK(condition)                          \
+  (static_cast<bool>(condition) ? static_cast<void>(0) \
+                                : ::gyre::internal::checkFailed(#condition, __FILE__, __LINE__))

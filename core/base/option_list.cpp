@@ -17,8 +17,9 @@ std::string numberText(double value) {
 
 Error outOfRange(const OptionInfo& info, const std::string& value) {
   const std::string unit = info.unit.empty() ? "" : " " + info.unit;
-  return {Error::Code::kInvalidInput, "The option " + info.name + " cannot be " + value + unit + ".",
-          "Choose a value from " + numberText(info.min) + " to " + numberText(info.max) + unit + "."};
+  return {
+      Error::Code::kInvalidInput, "The option " + info.name + " cannot be " + value + unit + ".",
+      "Choose a value from " + numberText(info.min) + " to " + numberText(info.max) + unit + "."};
 }
 
 bool inRange(const OptionInfo& info, double value) {

@@ -16,10 +16,10 @@ class Random {
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
   std::uint64_t next();
-  double uniform();                       // in [0, 1)
+  double uniform();                        // in [0, 1)
   double uniform(double from, double to);  // in [from, to)
-  double gaussian();                      // mean 0, standard deviation 1
-  std::uint64_t below(std::uint64_t n);   // in [0, n), n > 0
+  double gaussian();                       // mean 0, standard deviation 1
+  std::uint64_t below(std::uint64_t n);    // in [0, n), n > 0
 
  private:
   std::uint64_t state_;

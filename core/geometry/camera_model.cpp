@@ -22,9 +22,9 @@ Distorted distort(const CameraModel& camera, const Eigen::Vector2d& normalized) 
   result.point = {x * radial + 2.0 * camera.p1 * x * y + camera.p2 * (r2 + 2.0 * x * x),
                   y * radial + camera.p1 * (r2 + 2.0 * y * y) + 2.0 * camera.p2 * x * y};
   const double mixed = 2.0 * x * y * radial_slope + 2.0 * camera.p1 * x + 2.0 * camera.p2 * y;
-  result.jacobian << radial + 2.0 * x * x * radial_slope + 2.0 * camera.p1 * y + 6.0 * camera.p2 * x,
-      mixed, mixed,
-      radial + 2.0 * y * y * radial_slope + 6.0 * camera.p1 * y + 2.0 * camera.p2 * x;
+  result.jacobian << radial + 2.0 * x * x * radial_slope + 2.0 * camera.p1 * y +
+                         6.0 * camera.p2 * x,
+      mixed, mixed, radial + 2.0 * y * y * radial_slope + 6.0 * camera.p1 * y + 2.0 * camera.p2 * x;
   return result;
 }
 

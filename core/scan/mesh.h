@@ -17,9 +17,9 @@ struct MeshVertex {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // mm
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();    // unit, outward; zero when unknown
   Rgb rgb{};
-  float sigma_mm = 0.0F;     // 0 when unknown
-  std::uint16_t views = 0;   // how many views saw it
-  std::uint8_t seen = 1;     // 0 when no camera saw it
+  float sigma_mm = 0.0F;    // 0 when unknown
+  std::uint16_t views = 0;  // how many views saw it
+  std::uint8_t seen = 1;    // 0 when no camera saw it
 };
 
 using Triangle = std::array<std::uint32_t, 3>;  // vertex indices, counter-clockwise from outside

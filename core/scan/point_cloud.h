@@ -15,8 +15,8 @@ using Rgb = std::array<std::uint8_t, 3>;
 
 // One surface point, in the table frame.
 struct Point {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();    // mm
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();      // unit, outward; zero when unknown
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // mm
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();    // unit, outward; zero when unknown
   Rgb rgb{};
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // mm^2
   std::vector<std::uint32_t> views;                      // indices of the views that saw it

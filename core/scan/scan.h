@@ -13,8 +13,8 @@ struct ScanSettings {
   std::string title;
   std::string inventory_number;
   std::string rights;
-  std::string turntable;  // as on the command line: a port, tcp:HOST:PORT, sim[:OBJECT]
-  std::string camera;     // as on the command line, without any password
+  std::string turntable;     // as on the command line: a port, tcp:HOST:PORT, sim[:OBJECT]
+  std::string camera;        // as on the command line, without any password
   std::string sim_rig_json;  // the simulated rig's own settings; empty on real hardware
   int views = 200;           // over one full turn, evenly
   double start_angle_rad = 0.0;

@@ -13,7 +13,7 @@ namespace gyre {
 struct Observation {
   std::int32_t view = 0;
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();  // raw (distorted) picture coordinates
-  double sigma_px = 0.2;  // standard deviation of either coordinate
+  double sigma_px = 0.2;                            // standard deviation of either coordinate
 };
 
 struct Track {

@@ -8,9 +8,8 @@ namespace {
 
 Mesh tetrahedron() {
   Mesh mesh;
-  for (const Eigen::Vector3d& corner :
-       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0),
-        Eigen::Vector3d(0, 0, 1)}) {
+  for (const Eigen::Vector3d& corner : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
+                                        Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1)}) {
     MeshVertex vertex;
     vertex.position = corner;
     mesh.vertices.push_back(vertex);

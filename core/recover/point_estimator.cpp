@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recover/point_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+#include "core/base/random.h"
+#include "core/base/units.h"
+#include "core/recover/ray_intersection.h"
+
+namespace gyre {
+namespace {
+
+constexpr int kHypotheses = 40;
+constexpr int kMostJudges = 24;         // sightings that judge a hypothesis
+constexpr double kCauchyScale = 2.385;  // 95 % efficiency on Gaussian noise
+constexpr int kRobustSteps = 6;
+constexpr int kPlainSteps = 3;
+
+// One sighting's part in the normal equations, at a position.
+struct Linearized {
+  Eigen::Vector2d residual;              // seen minus projected, normalised
+  Eigen::Matrix<double, 2, 3> jacobian;  // d(projected) / d(position)
+  Eigen::Matrix2d information;           // inverse covariance of the sighting
+  double chi2 = 0.0;                     // residual in standard deviations, squared
+};
+
+class Problem {
+ public:
+  Problem(std::span<const Sighting> sightings, std::span<const Rigid3> poses, double angle_sigma)
+      : sightings_(sightings), poses_(poses), angle_variance_(angle_sigma * angle_sigma) {}
+
+  std::size_t size() const { return sightings_.size(); }
+  const Rigid3& pose(std::size_t i) const {
+    return poses_[static_cast<std::size_t>(sightings_[i].view)];
+  }
+
+  Ray ray(std::size_t i) const {
+    const Eigen::Vector2d& n = sightings_[i].normalized;
+    const Eigen::Matrix3d& r = pose(i).rotation;
+    return {-(r.transpose() * pose(i).translation),
+            (r.transpose() * Eigen::Vector3d(n.x(), n.y(), 1.0)).normalized()};
+  }
+
+  // Nothing when the position is not in front of that camera.
+  std::optional<Linearized> linearize(std::size_t i, const Eigen::Vector3d& x) const {
+    const Eigen::Matrix3d& r = pose(i).rotation;
+    const Eigen::Vector3d p = r * x + pose(i).translation;
+    if (!(p.z() > 1e-6)) return std::nullopt;
+    const double iz = 1.0 / p.z();
+    const double u = p.x() * iz;
+    const double v = p.y() * iz;
+    Linearized at;
+    at.residual = sightings_[i].normalized - Eigen::Vector2d(u, v);
+    at.jacobian.row(0) = (r.row(0) - u * r.row(2)) * iz;
+    at.jacobian.row(1) = (r.row(1) - v * r.row(2)) * iz;
+    // S = sigma^2 I + sigma_a^2 j j^T with j = d(projected) / d(angle); its inverse by Sherman and
+    // Morrison.
+    const Eigen::Vector2d j = at.jacobian * Eigen::Vector3d(-x.y(), x.x(), 0.0);
+    const double weight = 1.0 / (sightings_[i].sigma * sightings_[i].sigma);
+    const double share =
+        angle_variance_ * weight / (1.0 + angle_variance_ * weight * j.squaredNorm());
+    at.information = weight * (Eigen::Matrix2d::Identity() - share * j * j.transpose());
+    at.chi2 = at.residual.dot(at.information * at.residual);
+    return at;
+  }
+
+ private:
+  std::span<const Sighting> sightings_;
+  std::span<const Rigid3> poses_;
+  double angle_variance_;
+};
+
+double cauchyWeight(double chi2) { return 1.0 / (1.0 + chi2 / (kCauchyScale * kCauchyScale)); }
+
+struct Normal {
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+};
+
+// Sums the normal equations over the sightings; weight(i, chi2) may be zero.
+template <class Weight>
+std::optional<Normal> buildNormal(const Problem& problem, const Eigen::Vector3d& x,
+                                  const Weight& weight) {
+  Normal normal;
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const auto at = problem.linearize(i, x);
+    if (!at) return std::nullopt;
+    const double w = weight(i, at->chi2);
+    if (w == 0.0) continue;
+    const Eigen::Matrix<double, 3, 2> jw = w * at->jacobian.transpose() * at->information;
+    normal.hessian.noalias() += jw * at->jacobian;
+    normal.gradient.noalias() += jw * at->residual;
+  }
+  return normal;
+}
+
+template <class Weight>
+bool gaussNewton(const Problem& problem, int steps, const Weight& weight, Eigen::Vector3d& x) {
+  for (int step = 0; step < steps; ++step) {
+    const auto normal = buildNormal(problem, x, weight);
+    if (!normal) return false;
+    const Eigen::LDLT<Eigen::Matrix3d> solver(normal->hessian);
+    if (!(solver.vectorD().minCoeff() > 0.0)) return false;
+    const Eigen::Vector3d move = solver.solve(normal->gradient);
+    if (!move.allFinite()) return false;
+    x += move;
+    if (move.squaredNorm() < 1e-16 * (1.0 + x.squaredNorm())) break;
+  }
+  return true;
+}
+
+double chi2At(const Problem& problem, std::size_t i, const Eigen::Vector3d& x) {
+  const auto at = problem.linearize(i, x);
+  return at ? at->chi2 : std::numeric_limits<double>::infinity();
+}
+
+// The best of many two-view intersections, judged by the truncated residuals of some sightings.
+std::optional<Eigen::Vector3d> bestHypothesis(const Problem& problem, double min_parallax_rad,
+                                              Random& random) {
+  const std::size_t n = problem.size();
+  const std::size_t min_gap = n >= 8 ? n / 4 : 1;
+  std::vector<std::size_t> judges(n);
+  for (std::size_t i = 0; i < n; ++i) judges[i] = i;
+  if (n > kMostJudges) {
+    for (std::size_t i = 0; i < kMostJudges; ++i) {
+      std::swap(judges[i], judges[i + random.below(n - i)]);
+    }
+    judges.resize(kMostJudges);
+  }
+  constexpr double kTruncation = 16.0;  // four standard deviations, squared
+  double best_cost = std::numeric_limits<double>::infinity();
+  std::optional<Eigen::Vector3d> best;
+  const auto tryPair = [&](std::size_t a, std::size_t b) {
+    const auto x = intersectTwoRays(problem.ray(a), problem.ray(b), min_parallax_rad / 4.0);
+    if (!x) return;
+    double cost = 0.0;
+    for (const std::size_t i : judges) cost += std::min(kTruncation, chi2At(problem, i, *x));
+    if (cost < best_cost) {
+      best_cost = cost;
+      best = x;
+    }
+  };
+  if (n * (n - 1) / 2 <= kHypotheses) {
+    for (std::size_t a = 0; a < n; ++a) {
+      for (std::size_t b = a + 1; b < n; ++b) tryPair(a, b);
+    }
+  } else {
+    for (int i = 0; i < kHypotheses; ++i) {
+      const std::size_t a = random.below(n - min_gap);
+      tryPair(a, a + min_gap + random.below(n - a - min_gap));
+    }
+  }
+  return best;
+}
+
+// Fills what is reported of a position whose covariance is known.
+void judge(const Problem& problem, double outlier_sigma, EstimatedPoint& point) {
+  const double limit = outlier_sigma * outlier_sigma;
+  point.agrees.assign(problem.size(), 0);
+  point.agreeing = 0;
+  double chi2_sum = 0.0;
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const double chi2 = chi2At(problem, i, point.position_in_table);
+    if (chi2 > limit) continue;
+    point.agrees[i] = 1;
+    ++point.agreeing;
+    chi2_sum += chi2;
+  }
+  point.chi2_per_freedom = chi2_sum / std::max(1, 2 * point.agreeing - 3);
+}
+
+double agreeingParallax(const Problem& problem, const EstimatedPoint& point) {
+  std::vector<Ray> rays;
+  rays.reserve(problem.size());
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    if (point.agrees[i] != 0) rays.push_back(problem.ray(i));
+  }
+  return widestAngle(rays);
+}
+
+// Covariance from the inverse Hessian, widened when the residuals are larger than their sigma.
+template <class Weight>
+bool fillCovariance(const Problem& problem, const Weight& weight, EstimatedPoint& point) {
+  const auto normal = buildNormal(problem, point.position_in_table, weight);
+  if (!normal) return false;
+  const Eigen::LDLT<Eigen::Matrix3d> solver(normal->hessian);
+  if (!(solver.vectorD().minCoeff() > 0.0)) return false;
+  point.covariance =
+      std::max(1.0, point.chi2_per_freedom) * solver.solve(Eigen::Matrix3d::Identity());
+  return point.covariance.allFinite();
+}
+
+}  // namespace
+
+Result<PointEstimator> PointEstimator::create(const RecoverOptions& options) {
+  if (auto valid = options.validate(); !valid) return valid.error();
+  return PointEstimator(options);
+}
+
+void PointEstimator::setPoses(std::vector<Rigid3> cam_from_table_of_view) {
+  poses_ = std::move(cam_from_table_of_view);
+}
+
+std::optional<EstimatedPoint> PointEstimator::estimate(std::span<const Sighting> sightings,
+                                                       std::uint64_t seed) const {
+  const auto n = static_cast<int>(sightings.size());
+  if (n < options_.min_views) return std::nullopt;
+  const Problem problem(sightings, poses_, radFromDeg(options_.angle_sigma_deg));
+  Random random(seed);
+  const double min_parallax_rad = radFromDeg(options_.min_parallax_deg);
+  auto start = bestHypothesis(problem, min_parallax_rad, random);
+  if (!start) return std::nullopt;
+
+  EstimatedPoint point;
+  point.position_in_table = *start;
+  const auto cauchy = [](std::size_t, double chi2) { return cauchyWeight(chi2); };
+  if (!gaussNewton(problem, kRobustSteps, cauchy, point.position_in_table)) return std::nullopt;
+  const auto agreeing = [&](std::size_t i, double) { return point.agrees[i] != 0 ? 1.0 : 0.0; };
+  for (int round = 0; round < 2; ++round) {
+    judge(problem, options_.outlier_sigma, point);
+    if (point.agreeing < options_.min_views || point.agreeing < options_.min_agreeing * n) {
+      return std::nullopt;
+    }
+    if (!gaussNewton(problem, kPlainSteps, agreeing, point.position_in_table)) return std::nullopt;
+  }
+  judge(problem, options_.outlier_sigma, point);
+  if (point.agreeing < options_.min_views || point.agreeing < options_.min_agreeing * n) {
+    return std::nullopt;
+  }
+  point.parallax_rad = agreeingParallax(problem, point);
+  if (point.parallax_rad < min_parallax_rad) return std::nullopt;
+  if (!fillCovariance(problem, agreeing, point)) return std::nullopt;
+  return point;
+}
+
+std::optional<EstimatedPoint> PointEstimator::refine(
+    std::span<const Sighting> sightings, const Eigen::Vector3d& position_in_table) const {
+  const Problem problem(sightings, poses_, radFromDeg(options_.angle_sigma_deg));
+  EstimatedPoint point;
+  point.position_in_table = position_in_table;
+  const auto cauchy = [](std::size_t, double chi2) { return cauchyWeight(chi2); };
+  if (!gaussNewton(problem, 2, cauchy, point.position_in_table)) return std::nullopt;
+  judge(problem, options_.outlier_sigma, point);
+  point.parallax_rad = agreeingParallax(problem, point);
+  if (!fillCovariance(problem, cauchy, point)) return std::nullopt;
+  return point;
+}
+
+}  // namespace gyre

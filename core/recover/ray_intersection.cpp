@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/recover/ray_intersection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+namespace gyre {
+namespace {
+
+// Smallest over largest pivot of the normal equations below which the rays count as parallel:
+// the square of a parallax of about 0.1 degrees.
+constexpr double kSingular = 1e-6;
+
+double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> intersectTwoRays(const Ray& first, const Ray& second,
+                                                double min_parallax_rad) {
+  // In the paper's letters: w = C_0 - C_k, and with b = e_0 . e_k the two distances are
+  //   l_0 = (b q - p) / (1 - b^2),  l_k = (q - b p) / (1 - b^2),  p = e_0 . w,  q = e_k . w.
+  const Eigen::Vector3d w = first.origin - second.origin;
+  const double b = first.direction.dot(second.direction);
+  const double p = first.direction.dot(w);
+  const double q = second.direction.dot(w);
+  const double determinant = 1.0 - b * b;
+  const double sine = std::sin(min_parallax_rad);
+  if (!(determinant >= sine * sine)) return std::nullopt;
+  const double l_0 = (b * q - p) / determinant;
+  const double l_k = (q - b * p) / determinant;
+  if (!(l_0 > 0.0) || !(l_k > 0.0)) return std::nullopt;
+  return 0.5 * (first.origin + l_0 * first.direction + second.origin + l_k * second.direction);
+}
+
+std::optional<Eigen::Vector3d> intersectRays(std::span<const Ray> rays) {
+  if (rays.size() < 2) return std::nullopt;
+  // A ray from c along d misses x by |P (x - c)| with P = I - d d^T. Summing the squares over all
+  // rays and setting the gradient to zero leaves (sum P) x = sum P c. Origins are taken relative
+  // to the first one, so that far-away frames cost no digits.
+  const Eigen::Vector3d reference = rays.front().origin;
+  Eigen::Matrix3d sum_p = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sum_pc = Eigen::Vector3d::Zero();
+  for (const auto& [origin, d] : rays) {
+    const Eigen::Matrix3d p = Eigen::Matrix3d::Identity() - d * d.transpose();
+    sum_p += p;
+    sum_pc += p * (origin - reference);
+  }
+  const Eigen::LDLT<Eigen::Matrix3d> solver(sum_p);
+  const Eigen::Vector3d pivots = solver.vectorD();
+  if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return std::nullopt;
+  return reference + solver.solve(sum_pc);
+}
+
+double widestAngle(std::span<const Ray> rays) {
+  double widest = 0.0;
+  if (rays.empty()) return widest;
+  for (const Ray& ray : rays) {
+    widest = std::max({widest, angleBetween(ray.direction, rays.front().direction),
+                       angleBetween(ray.direction, rays.back().direction)});
+  }
+  return widest;
+}
+
+}  // namespace gyre
