@@ -18,6 +18,11 @@ class FrameSource {
   // kTimeout when none came, kGone when the camera vanished, kNotFound at the end of a folder.
   virtual Result<void> grab(double timeout_s) = 0;
 
+  // True when grab(0) answers kTimeout, without waiting, exactly when no picture is queued. A
+  // source whose driver cannot tell says false, and its grab() waits for a picture whatever the
+  // time-out.
+  virtual bool tellsEmptyQueue() const { return true; }
+
   // Decodes the picture taken last. Its view is -1, its time the moment of its grab().
   virtual Result<Frame> retrieve() = 0;
 
