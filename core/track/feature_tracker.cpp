@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/track/feature_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/parallel.h"
+#include "core/geometry/turntable_pose.h"
+#include "core/recover/ray_intersection.h"
+#include "core/track/correlation.h"
+#include "core/track/epipolar_search.h"
+#include "core/track/feature_detector.h"
+#include "core/track/grey_pyramid.h"
+#include "core/track/klt_step.h"
+#include "core/track/search_volume.h"
+
+namespace gyre {
+namespace {
+
+constexpr std::size_t kTailViews = 12;
+// What LK leaves of a feature's position however strong its texture: interpolation, foreshortening.
+constexpr double kTrackingFloor_px = 0.08;
+constexpr std::size_t kGrain = 32;
+// A live point this far off in its own standard deviations is lost: hidden, or slipped.
+constexpr double kLostSigma = 4.0;
+// Correlation along the curve that is worth refining.
+constexpr float kLeastSearchCorrelation = 0.6F;
+
+Rgb colourAt(const cv::Mat& image_bgr, const Eigen::Vector2d& pixel) {
+  const int column = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, image_bgr.cols - 1);
+  const int row = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, image_bgr.rows - 1);
+  const auto& bgr = image_bgr.at<cv::Vec3b>(row, column);
+  return {bgr[2], bgr[1], bgr[0]};
+}
+
+// 255 where a feature may be: on the object, and not near its outline or the picture's edge.
+cv::Mat allowedArea(const cv::Mat& object_mask, const TrackOptions& options) {
+  cv::Mat framed = object_mask != 0;
+  // The picture's edge cuts the object off; what lies beyond it is unknown.
+  const int edge = options.window_px / 2 + 2;
+  framed.rowRange(0, edge).setTo(0);
+  framed.rowRange(framed.rows - edge, framed.rows).setTo(0);
+  framed.colRange(0, edge).setTo(0);
+  framed.colRange(framed.cols - edge, framed.cols).setTo(0);
+  cv::Mat distance;
+  cv::distanceTransform(object_mask != 0, distance, cv::DIST_L2, 3);
+  cv::Mat allowed = framed & (distance > options.silhouette_margin_px);
+  return allowed;
+}
+
+}  // namespace
+
+class FeatureTracker::Impl {
+ public:
+  Impl(const Calibration& calibration, const TrackOptions& options, PointEstimator estimator)
+      : calibration_(calibration),
+        options_(options),
+        estimator_(std::move(estimator)),
+        volume_(visibleVolume(calibration.camera, *calibration.cam_from_table)),
+        search_(calibration.camera, volume_) {}
+
+  TrackedFrame addFrame(const FramePtr& frame, const cv::Mat& object_mask);
+  std::vector<const MeasuredTrack*> tracks() const;
+  const PointEstimator& estimator() const { return estimator_; }
+
+ private:
+  // What following one active track into the new view came to.
+  struct Step {
+    std::optional<Eigen::Vector2d> predicted;
+    std::optional<Eigen::Vector2d> found;
+    std::optional<EstimatedPoint> point;
+  };
+
+  const Rigid3& pose(std::int32_t view) const {
+    return estimator_.poses()[static_cast<std::size_t>(view)];
+  }
+  Ray rayOf(const Sighting& sighting) const;
+  Sighting sightingAt(std::int32_t view, const Eigen::Vector2d& pixel, double sigma_px) const;
+
+  void predict(const GreyPyramid& now, std::int32_t view, std::vector<Step>& steps) const;
+  void follow(const GreyPyramid& now, const cv::Mat& allowed, std::vector<Step>& steps) const;
+  void measure(std::int32_t view, std::vector<Step>& steps) const;
+  std::optional<EstimatedPoint> updatedPoint(const MeasuredTrack& active,
+                                             const Sighting& latest) const;
+  bool fits(const MeasuredTrack& active, const Sighting& latest, const EstimatedPoint& point) const;
+  void advance(const FramePtr& frame, std::int32_t view, std::vector<Step>& steps);
+  void end(MeasuredTrack&& track);
+  void detect(const FramePtr& frame, const GreyPyramid& now, const cv::Mat& allowed,
+              std::int32_t view);
+  TrackedFrame marks(const FramePtr& frame) const;
+
+  Calibration calibration_;
+  TrackOptions options_;
+  PointEstimator estimator_;
+  SearchVolume volume_;
+  EpipolarSearch search_;
+  GreyPyramid before_;
+  std::vector<MeasuredTrack> active_;
+  std::vector<MeasuredTrack> ended_;
+  std::uint32_t next_id_ = 0;
+};
+
+Ray FeatureTracker::Impl::rayOf(const Sighting& sighting) const {
+  const Rigid3 table_from_cam = pose(sighting.view).inverse();
+  const Eigen::Vector3d ray_in_cam(sighting.normalized.x(), sighting.normalized.y(), 1.0);
+  return {table_from_cam.translation, table_from_cam.rotation * ray_in_cam.normalized()};
+}
+
+Sighting FeatureTracker::Impl::sightingAt(std::int32_t view, const Eigen::Vector2d& pixel,
+                                          double sigma_px) const {
+  const CameraModel& camera = calibration_.camera;
+  return {view, camera.normalizedFromPixel(pixel), sigma_px / std::sqrt(camera.fx * camera.fy)};
+}
+
+void FeatureTracker::Impl::predict(const GreyPyramid& now, std::int32_t view,
+                                   std::vector<Step>& steps) const {
+  parallelFor(active_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const MeasuredTrack& active = active_[i];
+      const Observation& last = active.track.observations.back();
+      if (active.point) {
+        steps[i].predicted =
+            calibration_.camera.project(pose(view) * active.point->position_in_table);
+        continue;
+      }
+      const auto match =
+          search_.find(before_.grey, pose(last.view), last.pixel, now.grey, pose(view));
+      if (match && match->correlation >= kLeastSearchCorrelation) steps[i].predicted = match->pixel;
+    }
+  });
+}
+
+void FeatureTracker::Impl::follow(const GreyPyramid& now, const cv::Mat& allowed,
+                                  std::vector<Step>& steps) const {
+  std::vector<KltMove> moves;
+  std::vector<std::size_t> owner;
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    if (!steps[i].predicted || !calibration_.camera.contains(*steps[i].predicted)) continue;
+    moves.push_back({active_[i].track.observations.back().pixel.cast<float>(),
+                     steps[i].predicted->cast<float>()});
+    owner.push_back(i);
+  }
+  const auto outcomes = kltStep(before_, now, moves, options_.window_px);
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    const KltOutcome& outcome = outcomes[k];
+    if (!outcome.found || outcome.round_trip_px > options_.max_round_trip_px) continue;
+    const Eigen::Vector2d pixel = outcome.to.cast<double>();
+    if (!calibration_.camera.contains(pixel, 1.0)) continue;
+    const int column = static_cast<int>(std::lround(pixel.x()));
+    const int row = static_cast<int>(std::lround(pixel.y()));
+    if (allowed.at<std::uint8_t>(row, column) == 0) continue;
+    const auto was = samplePatch(before_.grey, active_[owner[k]].track.observations.back().pixel);
+    const auto is = samplePatch(now.grey, pixel);
+    if (!was || !is || correlate(*was, *is) < options_.min_correlation) continue;
+    steps[owner[k]].found = pixel;
+  }
+}
+
+std::optional<EstimatedPoint> FeatureTracker::Impl::updatedPoint(const MeasuredTrack& active,
+                                                                 const Sighting& latest) const {
+  std::vector<Sighting> sightings = active.sightings;
+  sightings.push_back(latest);
+  if (active.point) return estimator_.refine(sightings, active.point->position_in_table);
+  constexpr double kLeastParallax_rad = 0.003;
+  const auto start = intersectTwoRays(rayOf(sightings.front()), rayOf(latest), kLeastParallax_rad);
+  if (!start) return std::nullopt;
+  return estimator_.refine(sightings, *start);
+}
+
+bool FeatureTracker::Impl::fits(const MeasuredTrack& active, const Sighting& latest,
+                                const EstimatedPoint& point) const {
+  const Eigen::Vector3d& x = point.position_in_table;
+  if (x.head<2>().norm() > volume_.radius_mm || x.z() > volume_.z_max_mm) return false;
+  const Eigen::Vector3d in_cam = pose(latest.view) * x;
+  const double off = (latest.normalized - in_cam.head<2>() / in_cam.z()).norm();
+  const double off_px = off * std::sqrt(calibration_.camera.fx * calibration_.camera.fy);
+  if (active.sightings.size() < 3) return off_px <= 0.5 * options_.max_epipolar_px;
+  // Seen from there on, the platter's own texture is known by its height.
+  const double z_sigma = std::sqrt(point.covariance(2, 2));
+  if (x.z() + 2.0 * z_sigma < options_.min_height_mm) return false;
+  return off_px <= options_.max_epipolar_px && off <= kLostSigma * 1.5 * latest.sigma;
+}
+
+void FeatureTracker::Impl::measure(std::int32_t view, std::vector<Step>& steps) const {
+  parallelFor(active_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!steps[i].found) continue;
+      const MeasuredTrack& active = active_[i];
+      const double sigma_px = active.track.observations.back().sigma_px;
+      const Sighting latest = sightingAt(view, *steps[i].found, sigma_px);
+      steps[i].point = updatedPoint(active, latest);
+      if (!steps[i].point || !fits(active, latest, *steps[i].point)) steps[i].found.reset();
+    }
+  });
+}
+
+void FeatureTracker::Impl::end(MeasuredTrack&& track) {
+  track.point = estimator_.estimate(track.sightings, track.track.id);
+  if (track.point) ended_.push_back(std::move(track));
+}
+
+void FeatureTracker::Impl::advance(const FramePtr& frame, std::int32_t view,
+                                   std::vector<Step>& steps) {
+  std::vector<MeasuredTrack> going_on;
+  going_on.reserve(active_.size());
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    MeasuredTrack& active = active_[i];
+    if (!steps[i].found) {
+      end(std::move(active));
+      continue;
+    }
+    const double sigma_px = active.track.observations.back().sigma_px;
+    active.track.observations.push_back({view, *steps[i].found, sigma_px});
+    active.sightings.push_back(sightingAt(view, *steps[i].found, sigma_px));
+    active.colours.push_back(colourAt(frame->image_bgr, *steps[i].found));
+    active.point = std::move(steps[i].point);
+    going_on.push_back(std::move(active));
+  }
+  active_ = std::move(going_on);
+}
+
+void FeatureTracker::Impl::detect(const FramePtr& frame, const GreyPyramid& now,
+                                  const cv::Mat& allowed, std::int32_t view) {
+  std::vector<Eigen::Vector2d> occupied;
+  occupied.reserve(active_.size());
+  for (const MeasuredTrack& active : active_) {
+    occupied.push_back(active.track.observations.back().pixel);
+  }
+  for (const Feature& feature :
+       detectFeatures(now.grey, now.noise_sigma, allowed, occupied, options_)) {
+    MeasuredTrack fresh;
+    fresh.track.id = next_id_++;
+    const double sigma_px = std::hypot(feature.sigma_px, kTrackingFloor_px);
+    fresh.track.observations.push_back({view, feature.pixel, sigma_px});
+    fresh.sightings.push_back(sightingAt(view, feature.pixel, sigma_px));
+    fresh.colours.push_back(colourAt(frame->image_bgr, feature.pixel));
+    active_.push_back(std::move(fresh));
+  }
+}
+
+TrackedFrame FeatureTracker::Impl::marks(const FramePtr& frame) const {
+  TrackedFrame tracked{frame, {}};
+  tracked.marks.reserve(active_.size());
+  for (const MeasuredTrack& active : active_) {
+    FeatureMark mark;
+    mark.track_id = active.track.id;
+    const auto& observations = active.track.observations;
+    mark.state = observations.size() == 1                   ? FeatureState::kNew
+                 : active.point && observations.size() >= 5 ? FeatureState::kMeasured
+                                                            : FeatureState::kTracked;
+    const std::size_t first =
+        observations.size() > kTailViews ? observations.size() - kTailViews : 0;
+    for (std::size_t i = first; i < observations.size(); ++i) {
+      mark.tail.push_back(observations[i].pixel.cast<float>());
+    }
+    tracked.marks.push_back(std::move(mark));
+  }
+  return tracked;
+}
+
+TrackedFrame FeatureTracker::Impl::addFrame(const FramePtr& frame, const cv::Mat& object_mask) {
+  const auto view = static_cast<std::int32_t>(estimator_.poses().size());
+  estimator_.addPose(camFromTable(*calibration_.cam_from_table, frame->table_angle_rad));
+  GreyPyramid now = buildGreyPyramid(frame->image_bgr, options_.window_px);
+  const cv::Mat allowed = allowedArea(object_mask, options_);
+  std::vector<Step> steps(active_.size());
+  if (!active_.empty()) {
+    predict(now, view, steps);
+    follow(now, allowed, steps);
+    measure(view, steps);
+  }
+  advance(frame, view, steps);
+  detect(frame, now, allowed, view);
+  before_ = std::move(now);
+  return marks(frame);
+}
+
+std::vector<const MeasuredTrack*> FeatureTracker::Impl::tracks() const {
+  std::vector<const MeasuredTrack*> all;
+  all.reserve(ended_.size() + active_.size());
+  for (const MeasuredTrack& track : ended_) all.push_back(&track);
+  for (const MeasuredTrack& track : active_) {
+    if (track.point) all.push_back(&track);
+  }
+  return all;
+}
+
+Result<FeatureTracker> FeatureTracker::create(const Calibration& calibration,
+                                              const TrackOptions& options,
+                                              const RecoverOptions& recover_options) {
+  if (!calibration.cam_from_table) {
+    return Error{Error::Code::kInvalidInput, "The calibration does not say where the table is.",
+                 "Calibrate with the target on the turning table."};
+  }
+  if (auto valid = options.validate(); !valid) return valid.error();
+  auto estimator = PointEstimator::create(recover_options);
+  if (!estimator) return estimator.error();
+  return FeatureTracker(std::make_unique<Impl>(calibration, options, std::move(*estimator)));
+}
+
+FeatureTracker::FeatureTracker(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+FeatureTracker::FeatureTracker(FeatureTracker&&) noexcept = default;
+FeatureTracker& FeatureTracker::operator=(FeatureTracker&&) noexcept = default;
+FeatureTracker::~FeatureTracker() = default;
+
+TrackedFrame FeatureTracker::addFrame(const FramePtr& frame, const cv::Mat& object_mask) {
+  return impl_->addFrame(frame, object_mask);
+}
+std::vector<const MeasuredTrack*> FeatureTracker::tracks() const { return impl_->tracks(); }
+const PointEstimator& FeatureTracker::estimator() const { return impl_->estimator(); }
+
+}  // namespace gyre

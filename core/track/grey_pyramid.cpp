@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/track/grey_pyramid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+
+#include "core/base/units.h"
+
+namespace gyre {
+namespace {
+
+constexpr int kMaxLevel = 2;
+constexpr int kBlock_px = 16;
+// A camera's own rounding to whole grey levels leaves this much.
+constexpr double kLeastNoise = 0.3;
+
+}  // namespace
+
+double estimateNoiseSigma(const cv::Mat& grey) {
+  const cv::Mat kernel = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
+  cv::Mat response;
+  cv::filter2D(grey, response, CV_32F, kernel);
+  cv::Mat blocks;
+  cv::resize(cv::abs(response), blocks,
+             {std::max(1, grey.cols / kBlock_px), std::max(1, grey.rows / kBlock_px)}, 0, 0,
+             cv::INTER_AREA);
+  std::vector<float> values(blocks.begin<float>(), blocks.end<float>());
+  const auto tenth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
+  std::nth_element(values.begin(), tenth, values.end());
+  return std::max(kLeastNoise, std::sqrt(kPi / 2.0) / 6.0 * static_cast<double>(*tenth));
+}
+
+GreyPyramid buildGreyPyramid(const cv::Mat& image_bgr, int window_px) {
+  GreyPyramid pyramid;
+  cv::cvtColor(image_bgr, pyramid.grey, cv::COLOR_BGR2GRAY);
+  cv::buildOpticalFlowPyramid(pyramid.grey, pyramid.levels, {window_px, window_px}, kMaxLevel);
+  pyramid.noise_sigma = estimateNoiseSigma(pyramid.grey);
+  return pyramid;
+}
+
+}  // namespace gyre
