@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/base/task.h"
+#include "core/pipeline/options.h"
 #include "core/pipeline/reconstruction.h"
 #include "core/scan/calibration.h"
 #include "core/scan/tracked_frame.h"
@@ -16,23 +18,28 @@ namespace gyre {
 // for. The same frames give the same points, live or from files. One thread at a time.
 class LiveReconstruction {
  public:
-  // empty_table: a picture of the bare table at angle 0, or null. Fails when the calibration has
-  // no cam_from_table.
-  static Result<LiveReconstruction> create(const Calibration& calibration, FramePtr empty_table);
+  // empty_table: a picture of the bare table, at its own angle, or null. Fails when the calibration
+  // has no cam_from_table, the empty table's picture has another size, or an option is out of
+  // range.
+  static Result<LiveReconstruction> create(const Calibration& calibration,
+                                           const FramePtr& empty_table,
+                                           const ReconstructOptions& options = {});
 
   LiveReconstruction(LiveReconstruction&&) noexcept;
   LiveReconstruction& operator=(LiveReconstruction&&) noexcept;
   ~LiveReconstruction();
 
   // Tracks into the frame and updates the points. Fails when the picture's size is not the
-  // calibration's; the state is then unchanged.
-  Result<TrackedFrame> addFrame(const FramePtr& frame);
+  // calibration's; the state is then unchanged. object_mask: 8 bit, above 127 on the object; an
+  // empty one is made from the empty table, or from what does not turn.
+  Result<TrackedFrame> addFrame(const FramePtr& frame, const cv::Mat& object_mask = {});
 
-  // The points accepted so far, in the table frame.
+  // The points good enough so far, in the table frame, without normals.
   PointCloudPtr cloudSoFar() const;
 
-  // The final points: every track refined, weighed and judged once more.
-  Result<Reconstruction> finish(const Task& task);
+  // The final points, with normals: every track estimated afresh from all its sightings and judged
+  // against all masks. kCancelled when stopped; the state is then unchanged.
+  Result<Reconstruction> finish(const Task& task) const;
 
  private:
   class Impl;

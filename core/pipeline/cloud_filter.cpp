@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/cloud_filter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/parallel.h"
+#include "core/geometry/turntable_pose.h"
+
+namespace gyre {
+namespace {
+
+constexpr int kShrink = 4;
+constexpr std::size_t kGrain = 256;
+// Neighbours are looked for within this share of the cloud's size.
+constexpr double kNeighbourhood = 0.025;
+
+using Cell = std::array<int, 3>;
+
+Cell cellOf(const Eigen::Vector3d& position, double side_mm) {
+  const auto index = [&](double value) { return static_cast<int>(std::floor(value / side_mm)); };
+  return {index(position.x()), index(position.y()), index(position.z())};
+}
+
+// The size of the cloud without its farthest specks: the diagonal of the box that holds the middle
+// 98 % of every coordinate.
+double robustSize(const PointCloud& cloud) {
+  Eigen::Vector3d extent;
+  std::vector<double> values(cloud.points.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = cloud.points[i].position[axis];
+    std::sort(values.begin(), values.end());
+    const std::size_t tail = values.size() / 100;
+    extent[axis] = values[values.size() - 1 - tail] - values[tail];
+  }
+  return extent.norm();
+}
+
+// Drops points that have too few others near them.
+void dropSpecks(const PointCloud& cloud, double reach_mm, int min_neighbours,
+                std::vector<std::uint8_t>& keep) {
+  std::map<Cell, std::vector<std::size_t>> cells;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (keep[i] != 0) cells[cellOf(cloud.points[i].position, reach_mm)].push_back(i);
+  }
+  const std::vector<std::uint8_t> before = keep;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (before[i] == 0) continue;
+    const Eigen::Vector3d& position = cloud.points[i].position;
+    const Cell centre = cellOf(position, reach_mm);
+    int neighbours = -1;  // the point finds itself
+    for (int k = 0; k < 27 && neighbours < min_neighbours; ++k) {
+      const auto cell =
+          cells.find({centre[0] + k % 3 - 1, centre[1] + k / 3 % 3 - 1, centre[2] + k / 9 - 1});
+      if (cell == cells.end()) continue;
+      for (const std::size_t other : cell->second) {
+        const double apart = (cloud.points[other].position - position).squaredNorm();
+        if (apart <= reach_mm * reach_mm && ++neighbours >= min_neighbours) break;
+      }
+    }
+    if (neighbours < min_neighbours) keep[i] = 0;
+  }
+}
+
+}  // namespace
+
+void SilhouetteRecord::addView(const cv::Mat& mask, double table_angle_rad) {
+  if (cv::countNonZero(mask) == mask.rows * mask.cols) return;
+  View view;
+  view.cam_from_table = camFromTable(*calibration_.cam_from_table, table_angle_rad);
+  // Grown by a few pixels: masks are not exact to the pixel, and points sit on the outline.
+  cv::Mat grown;
+  cv::dilate(mask, grown, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
+  cv::resize(grown, view.mask, {mask.cols / kShrink, mask.rows / kShrink}, 0, 0, cv::INTER_AREA);
+  views_.push_back(std::move(view));
+}
+
+double SilhouetteRecord::outsideShare(const Eigen::Vector3d& point_in_table) const {
+  int inside_picture = 0;
+  int outside = 0;
+  for (const View& view : views_) {
+    const auto pixel = calibration_.camera.project(view.cam_from_table * point_in_table);
+    if (!pixel || !calibration_.camera.contains(*pixel)) continue;
+    const int column = std::min(static_cast<int>(pixel->x()) / kShrink, view.mask.cols - 1);
+    const int row = std::min(static_cast<int>(pixel->y()) / kShrink, view.mask.rows - 1);
+    ++inside_picture;
+    if (view.mask.at<std::uint8_t>(row, column) == 0) ++outside;
+  }
+  return inside_picture == 0 ? 0.0 : static_cast<double>(outside) / inside_picture;
+}
+
+std::vector<std::uint8_t> judgePoints(const PointCloud& cloud, const SilhouetteRecord& silhouettes,
+                                      const CloudOptions& options) {
+  std::vector<std::uint8_t> keep(cloud.points.size(), 1);
+  if (keep.empty()) return keep;
+  const double size_mm = robustSize(cloud);
+  parallelFor(keep.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point& point = cloud.points[i];
+      if (point.sigmaMm() > options.max_sigma_share * size_mm ||
+          silhouettes.outsideShare(point.position) > options.max_outside) {
+        keep[i] = 0;
+      }
+    }
+  });
+  dropSpecks(cloud, kNeighbourhood * size_mm, options.min_neighbours, keep);
+  return keep;
+}
+
+}  // namespace gyre

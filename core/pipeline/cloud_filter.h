@@ -1,0 +1,41 @@
+// Judges recovered points by what all views together know.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/pipeline/options.h"
+#include "core/scan/calibration.h"
+#include "core/scan/frame.h"
+#include "core/scan/point_cloud.h"
+
+namespace gyre {
+
+// The object's outline in every view so far, kept small. One thread at a time for addView(); any
+// number for outsideShare().
+class SilhouetteRecord {
+ public:
+  explicit SilhouetteRecord(const Calibration& calibration) : calibration_(calibration) {}
+
+  // mask: 8 bit, non-zero on the object. A mask that covers the whole picture says nothing.
+  void addView(const cv::Mat& mask, double table_angle_rad);
+
+  // Share of the views in whose picture the point lies but misses the object's mask: a point of the
+  // object does in none.
+  double outsideShare(const Eigen::Vector3d& point_in_table) const;
+
+ private:
+  struct View {
+    Rigid3 cam_from_table;
+    cv::Mat mask;  // a quarter of the size
+  };
+  Calibration calibration_;
+  std::vector<View> views_;
+};
+
+// 1 for every point to keep: certain enough, inside the outlines, and in company.
+std::vector<std::uint8_t> judgePoints(const PointCloud& cloud, const SilhouetteRecord& silhouettes,
+                                      const CloudOptions& options);
+
+}  // namespace gyre

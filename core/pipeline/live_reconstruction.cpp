@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/live_reconstruction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/base/clock.h"
+#include "core/base/parallel.h"
+#include "core/pipeline/cloud_filter.h"
+#include "core/track/empty_table_mask.h"
+#include "core/track/feature_tracker.h"
+#include "core/track/moving_mask.h"
+
+namespace gyre {
+namespace {
+
+// Until a live point has this much parallax it is not shown: it would jump about.
+constexpr double kShownParallax_rad = 0.08;
+constexpr std::size_t kGrain = 64;
+
+std::string sizeText(int width_px, int height_px) {
+  return std::to_string(width_px) + "x" + std::to_string(height_px);
+}
+
+Result<void> checkSize(const CameraModel& camera, const Frame& frame) {
+  const cv::Mat& image = frame.image_bgr;
+  if (image.cols == camera.width_px && image.rows == camera.height_px) return {};
+  return Error{Error::Code::kInvalidInput,
+               "The picture " + frame.name + " has " + sizeText(image.cols, image.rows) +
+                   " pixels, the calibration was made at " +
+                   sizeText(camera.width_px, camera.height_px) + ".",
+               "Use the pictures as the camera gave them, or calibrate at this size."};
+}
+
+// The middle colour of all sightings, each channel by itself: a highlight in some does no harm.
+Rgb middleColour(const std::vector<Rgb>& colours) {
+  Rgb middle{};
+  std::vector<std::uint8_t> values(colours.size());
+  for (std::size_t channel = 0; channel < middle.size(); ++channel) {
+    for (std::size_t i = 0; i < colours.size(); ++i) values[i] = colours[i][channel];
+    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), half, values.end());
+    middle[channel] = *half;
+  }
+  return middle;
+}
+
+Point pointOf(const MeasuredTrack& track, const EstimatedPoint& estimated) {
+  Point point;
+  point.position = estimated.position_in_table;
+  point.covariance = estimated.covariance;
+  point.rgb = middleColour(track.colours);
+  for (std::size_t i = 0; i < track.sightings.size(); ++i) {
+    if (estimated.agrees[i] != 0) {
+      point.views.push_back(static_cast<std::uint32_t>(track.sightings[i].view));
+    }
+  }
+  return point;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), half, values.end());
+  return *half;
+}
+
+}  // namespace
+
+class LiveReconstruction::Impl {
+ public:
+  Impl(const Calibration& calibration, const FramePtr& empty_table,
+       const ReconstructOptions& options, FeatureTracker tracker)
+      : calibration_(calibration),
+        options_(options),
+        tracker_(std::move(tracker)),
+        silhouettes_(calibration) {
+    if (empty_table) empty_table_mask_.emplace(calibration, empty_table);
+  }
+
+  Result<TrackedFrame> addFrame(const FramePtr& frame, const cv::Mat& object_mask);
+  PointCloudPtr cloudSoFar() const;
+  Result<Reconstruction> finish(const Task& task) const;
+
+ private:
+  struct Candidate {
+    const MeasuredTrack* track = nullptr;
+    std::optional<EstimatedPoint> estimated;
+  };
+
+  bool plausible(const EstimatedPoint& estimated) const;
+  void measureResiduals(const std::vector<Candidate>& accepted, Reconstruction& result) const;
+
+  Calibration calibration_;
+  ReconstructOptions options_;
+  FeatureTracker tracker_;
+  SilhouetteRecord silhouettes_;
+  std::optional<EmptyTableMask> empty_table_mask_;
+  MovingMask moving_mask_;
+  double mask_seconds_ = 0.0;
+  double track_seconds_ = 0.0;
+};
+
+Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& frame,
+                                                        const cv::Mat& object_mask) {
+  if (auto fits = checkSize(calibration_.camera, *frame); !fits) return fits.error();
+  const double start_s = steadySeconds();
+  const cv::Mat mask = !object_mask.empty() ? cv::Mat(object_mask > 127)
+                       : empty_table_mask_  ? empty_table_mask_->maskOf(*frame)
+                                            : moving_mask_.addFrame(*frame);
+  silhouettes_.addView(mask, frame->table_angle_rad);
+  const double masked_s = steadySeconds();
+  TrackedFrame tracked = tracker_.addFrame(frame, mask);
+  mask_seconds_ += masked_s - start_s;
+  track_seconds_ += steadySeconds() - masked_s;
+  return tracked;
+}
+
+bool LiveReconstruction::Impl::plausible(const EstimatedPoint& estimated) const {
+  return estimated.agreeing >= options_.recover.min_views &&
+         estimated.chi2_per_freedom <= options_.cloud.max_chi2 &&
+         estimated.position_in_table.z() >= options_.track.min_height_mm;
+}
+
+PointCloudPtr LiveReconstruction::Impl::cloudSoFar() const {
+  PointCloud cloud;
+  for (const MeasuredTrack* track : tracker_.tracks()) {
+    const EstimatedPoint& estimated = *track->point;
+    if (estimated.parallax_rad < kShownParallax_rad || !plausible(estimated)) continue;
+    cloud.points.push_back(pointOf(*track, estimated));
+  }
+  const auto keep = judgePoints(cloud, silhouettes_, options_.cloud);
+  auto kept = std::make_shared<PointCloud>();
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (keep[i] != 0) kept->points.push_back(std::move(cloud.points[i]));
+  }
+  return kept;
+}
+
+void LiveReconstruction::Impl::measureResiduals(const std::vector<Candidate>& accepted,
+                                                Reconstruction& result) const {
+  std::vector<double> distances_px;
+  double squares = 0.0;
+  for (const Candidate& candidate : accepted) {
+    const MeasuredTrack& track = *candidate.track;
+    for (std::size_t i = 0; i < track.sightings.size(); ++i) {
+      if (candidate.estimated->agrees[i] == 0) continue;
+      const Observation& seen = track.track.observations[i];
+      const Rigid3& pose = tracker_.estimator().poses()[static_cast<std::size_t>(seen.view)];
+      const auto pixel = calibration_.camera.project(pose * candidate.estimated->position_in_table);
+      if (!pixel) continue;
+      distances_px.push_back((*pixel - seen.pixel).norm());
+      squares += distances_px.back() * distances_px.back();
+    }
+  }
+  result.observations = distances_px.size();
+  if (distances_px.empty()) return;
+  result.rms_px = std::sqrt(squares / static_cast<double>(distances_px.size()));
+  result.median_px = median(std::move(distances_px));
+}
+
+Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const {
+  const double start_s = steadySeconds();
+  std::vector<Candidate> candidates;
+  for (const MeasuredTrack* track : tracker_.tracks()) candidates.push_back({track, {}});
+  parallelFor(candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    if (task.stopRequested()) return;
+    for (std::size_t i = begin; i < end; ++i) {
+      const MeasuredTrack& track = *candidates[i].track;
+      candidates[i].estimated = tracker_.estimator().estimate(track.sightings, track.track.id);
+    }
+  });
+  task.report(0.6, "Weighing points");
+  if (task.stopRequested()) return cancelled();
+
+  Reconstruction result;
+  std::vector<Candidate> plausibles;
+  for (Candidate& candidate : candidates) {
+    if (!candidate.estimated || !plausible(*candidate.estimated)) continue;
+    result.cloud.points.push_back(pointOf(*candidate.track, *candidate.estimated));
+    plausibles.push_back(std::move(candidate));
+  }
+  const auto keep = judgePoints(result.cloud, silhouettes_, options_.cloud);
+  if (task.stopRequested()) return cancelled();
+  std::vector<Candidate> accepted;
+  PointCloud kept;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (keep[i] == 0) continue;
+    kept.points.push_back(std::move(result.cloud.points[i]));
+    accepted.push_back(std::move(plausibles[i]));
+  }
+  result.cloud = std::move(kept);
+  measureResiduals(accepted, result);
+  result.seconds = {
+      {"mask", mask_seconds_}, {"track", track_seconds_}, {"recover", steadySeconds() - start_s}};
+  task.report(1.0, "Points ready");
+  return result;
+}
+
+Result<LiveReconstruction> LiveReconstruction::create(const Calibration& calibration,
+                                                      const FramePtr& empty_table,
+                                                      const ReconstructOptions& options) {
+  if (auto valid = options.validate(); !valid) return valid.error();
+  if (empty_table) {
+    if (auto fits = checkSize(calibration.camera, *empty_table); !fits) return fits.error();
+  }
+  auto tracker = FeatureTracker::create(calibration, options.track, options.recover);
+  if (!tracker) return tracker.error();
+  return LiveReconstruction(
+      std::make_unique<Impl>(calibration, empty_table, options, std::move(*tracker)));
+}
+
+LiveReconstruction::LiveReconstruction(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LiveReconstruction::LiveReconstruction(LiveReconstruction&&) noexcept = default;
+LiveReconstruction& LiveReconstruction::operator=(LiveReconstruction&&) noexcept = default;
+LiveReconstruction::~LiveReconstruction() = default;
+
+Result<TrackedFrame> LiveReconstruction::addFrame(const FramePtr& frame,
+                                                  const cv::Mat& object_mask) {
+  return impl_->addFrame(frame, object_mask);
+}
+PointCloudPtr LiveReconstruction::cloudSoFar() const { return impl_->cloudSoFar(); }
+Result<Reconstruction> LiveReconstruction::finish(const Task& task) const {
+  return impl_->finish(task);
+}
+
+}  // namespace gyre
