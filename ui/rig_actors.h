@@ -1,0 +1,36 @@
+// Shows the turntable, its axis and the camera around it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include <vtkNew.h>
+
+#include "core/scan/calibration.h"
+
+class vtkActor;
+class vtkRenderer;
+
+namespace gyre {
+
+// Drawn in the table frame: the object rests, and the camera is what goes round. GUI thread only.
+class RigActors {
+ public:
+  explicit RigActors(vtkRenderer& renderer);
+  ~RigActors();
+
+  // Places the camera where it is at table angle 0; hides it when the calibration has no pose.
+  void showCamera(const Calibration& calibration);
+  void setTableAngle_rad(double angle_rad);
+  void setLineColour(const std::array<double, 3>& rgb);
+
+  static constexpr double kPlatterRadius_mm = 90.0;
+
+ private:
+  vtkNew<vtkActor> platter_;
+  vtkNew<vtkActor> grid_;
+  vtkNew<vtkActor> axis_;
+  vtkNew<vtkActor> camera_;
+};
+
+}  // namespace gyre
