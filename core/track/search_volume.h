@@ -13,8 +13,8 @@ struct SearchVolume {
   double z_max_mm = 0.0;
 };
 
-// The cylinder around the axis outside of which nothing on the table can be in the picture, bounded
-// by the camera's own distance from the axis.
+// The cylinder around the axis outside of which a point of the table is out of the picture when it
+// passes the outline on either side, bounded by the camera's own distance from the axis.
 SearchVolume visibleVolume(const CameraModel& camera, const Rigid3& cam_from_table);
 
 }  // namespace gyre
