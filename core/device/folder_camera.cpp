@@ -15,9 +15,10 @@ FolderCamera::FolderCamera(std::vector<std::filesystem::path> pictures, PictureR
   info_.description = std::to_string(pictures_.size()) + " pictures in a folder";
 }
 
-Result<FramePtr> FolderCamera::grabAfter(double /*time_s*/, const Task& task) {
+Result<FramePtr> FolderCamera::grabAfter(double time_s, const Task& task) {
   if (task.stopRequested()) return cancelled();
   const std::scoped_lock lock(mutex_);
+  if (present_ && time_s <= present_->time_s) return present_;
   if (next_ >= pictures_.size()) {
     return Error{Error::Code::kNotFound,
                  "All " + std::to_string(pictures_.size()) + " pictures of the folder are used.",
@@ -33,7 +34,8 @@ Result<FramePtr> FolderCamera::grabAfter(double /*time_s*/, const Task& task) {
   info_.width_px = frame.image_bgr.cols;
   info_.height_px = frame.image_bgr.rows;
   ++next_;
-  return std::make_shared<const Frame>(std::move(frame));
+  present_ = std::make_shared<const Frame>(std::move(frame));
+  return present_;
 }
 
 CameraInfo FolderCamera::info() const {
@@ -44,6 +46,7 @@ CameraInfo FolderCamera::info() const {
 void FolderCamera::goTo(std::size_t index) {
   const std::scoped_lock lock(mutex_);
   next_ = index;
+  present_.reset();
 }
 
 }  // namespace gyre

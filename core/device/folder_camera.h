@@ -1,4 +1,4 @@
-// A folder of pictures in the place of a camera: each picture asked for is the next one.
+// A folder of pictures in the place of a camera: each later moment shows the next one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,7 +21,9 @@ class FolderCamera final : public Camera {
   // pictures: in the order in which they were taken.
   FolderCamera(std::vector<std::filesystem::path> pictures, PictureReader reader);
 
-  // The next picture, whatever the moment; kNotFound after the last one.
+  // The next picture when the moment is later than that at which the present one was first given,
+  // else the present one again: whoever looks twice at one view sees it twice. kNotFound after the
+  // last one.
   Result<FramePtr> grabAfter(double time_s, const Task& task) override;
   Result<CameraInfo> lockControls() override { return info(); }
   CameraInfo info() const override;
@@ -34,6 +36,7 @@ class FolderCamera final : public Camera {
   const PictureReader reader_;
   mutable std::mutex mutex_;
   std::size_t next_ = 0;
+  FramePtr present_;
   CameraInfo info_;
 };
 

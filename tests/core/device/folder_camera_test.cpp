@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/clock.h"
+
 namespace gyre {
 namespace {
 
@@ -13,13 +15,20 @@ Result<cv::Mat> read(const std::filesystem::path& path) {
 
 TEST(FolderCamera, GivesThePicturesInOrderAndThenSaysThatThereAreNoMore) {
   FolderCamera camera({"a/1.png", "a/2.png"}, read);
-  EXPECT_EQ(camera.grabAfter(0, {}).value()->name, "1.png");
-  EXPECT_EQ(camera.grabAfter(0, {}).value()->name, "2.png");
+  EXPECT_EQ(camera.grabAfter(steadySeconds(), {}).value()->name, "1.png");
+  EXPECT_EQ(camera.grabAfter(steadySeconds(), {}).value()->name, "2.png");
   EXPECT_EQ(camera.info().width_px, 4);
-  const auto nothing = camera.grabAfter(0, {});
+  const auto nothing = camera.grabAfter(steadySeconds(), {});
   ASSERT_FALSE(nothing);
   EXPECT_EQ(nothing.error().code, Error::Code::kNotFound);
   EXPECT_NE(nothing.error().what.find("All 2 pictures"), std::string::npos);
+}
+
+TEST(FolderCamera, ShowsOneViewTwiceToWhoLooksTwice) {
+  FolderCamera camera({"1.png", "2.png"}, read);
+  const FramePtr first = camera.grabAfter(steadySeconds(), {}).value();
+  EXPECT_EQ(camera.grabAfter(first->time_s, {}).value(), first);
+  EXPECT_EQ(camera.grabAfter(steadySeconds(), {}).value()->name, "2.png");
 }
 
 TEST(FolderCamera, GoesOnWhereItIsTold) {

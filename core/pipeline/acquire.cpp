@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/acquire.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/clock.h"
+#include "core/base/units.h"
+#include "core/pipeline/settling.h"
+
+namespace gyre {
+namespace {
+
+// The way before the first view: takes up the play of gears and belts, so that every view is
+// reached from the same side.
+constexpr double kPreRoll_rad = radFromDeg(3.0);
+
+double viewAngle(const ScanSettings& settings, int view) {
+  return settings.start_angle_rad + kTurn_rad * view / settings.views;
+}
+
+std::vector<int> missingViews(const ScanStore& store) {
+  std::vector<char> captured(static_cast<std::size_t>(store.settings().views), 0);
+  for (const CapturedView& view : store.views())
+    captured.at(static_cast<std::size_t>(view.view)) = 1;
+  std::vector<int> missing;
+  for (int view = 0; view < store.settings().views; ++view) {
+    if (captured[static_cast<std::size_t>(view)] == 0) missing.push_back(view);
+  }
+  return missing;
+}
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
+Result<void> checkSize(const cv::Mat& image, const CameraModel& calibrated) {
+  if (image.cols == calibrated.width_px && image.rows == calibrated.height_px) return {};
+  return Error{Error::Code::kInvalidInput,
+               "The camera gives pictures of " + sizeText(image.cols, image.rows) +
+                   " pixels, but the calibration is for " +
+                   sizeText(calibrated.width_px, calibrated.height_px) + ".",
+               "Set the camera to the mode in which it was calibrated, or calibrate this mode."};
+}
+
+std::string stageText(int view, int views) {
+  return "View " + std::to_string(view + 1) + " of " + std::to_string(views);
+}
+
+Result<FramePtr> captureView(Turntable& turntable, Camera& camera, Settling& settling,
+                             double angle_rad, const Task& task) {
+  if (const auto moved = turntable.moveTo(angle_rad, task); !moved) return moved.error();
+  return settling.grabStill(camera, steadySeconds(), task);
+}
+
+Result<void> acquireMissing(Turntable& turntable, Camera& camera, ScanStore& store,
+                            const std::function<void(const FramePtr&)>& on_view, const Task& task) {
+  const ScanSettings settings = store.settings();
+  const std::vector<int> missing = missingViews(store);
+  if (missing.empty()) return {};
+  const Task silent(task.stopToken());
+  Settling settling;
+  const double first_rad = viewAngle(settings, missing.front());
+  if (const auto moved = turntable.moveTo(first_rad - kPreRoll_rad, silent); !moved) return moved;
+  for (const int view : missing) {
+    task.report(static_cast<double>(view) / settings.views, stageText(view, settings.views));
+    const auto picture =
+        captureView(turntable, camera, settling, viewAngle(settings, view), silent);
+    if (!picture) return picture.error();
+    if (const auto fits = checkSize((*picture)->image_bgr, store.calibration().camera); !fits) {
+      return fits;
+    }
+    Frame frame = **picture;
+    frame.view = view;
+    frame.table_angle_rad = turntable.angleRad();
+    if (const auto kept = store.addView(frame, turntable.steps()); !kept) return kept;
+    on_view(std::make_shared<const Frame>(std::move(frame)));
+  }
+  task.report(1.0, "All views are captured");
+  return {};
+}
+
+}  // namespace
+
+Result<void> acquire(Turntable& turntable, Camera& camera, ScanStore& store,
+                     const std::function<void(const FramePtr&)>& on_view, const Task& task) {
+  Result<void> done = acquireMissing(turntable, camera, store, on_view, task);
+  if (!done) turntable.stop();
+  return done;
+}
+
+}  // namespace gyre
