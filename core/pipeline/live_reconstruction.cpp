@@ -9,6 +9,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/parallel.h"
+#include "core/base/units.h"
 #include "core/pipeline/cloud_filter.h"
 #include "core/track/empty_table_mask.h"
 #include "core/track/feature_tracker.h"
@@ -91,6 +92,7 @@ class LiveReconstruction::Impl {
     std::optional<EstimatedPoint> estimated;
   };
 
+  bool coversFullTurn() const;
   bool plausible(const EstimatedPoint& estimated) const;
   void measureResiduals(const std::vector<Candidate>& accepted, Reconstruction& result) const;
 
@@ -100,6 +102,7 @@ class LiveReconstruction::Impl {
   SilhouetteRecord silhouettes_;
   std::optional<EmptyTableMask> empty_table_mask_;
   MovingMask moving_mask_;
+  std::vector<double> table_angles_rad_;
   double mask_seconds_ = 0.0;
   double track_seconds_ = 0.0;
 };
@@ -112,11 +115,20 @@ Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& frame,
                        : empty_table_mask_  ? empty_table_mask_->maskOf(*frame)
                                             : moving_mask_.addFrame(*frame);
   silhouettes_.addView(mask, frame->table_angle_rad);
+  table_angles_rad_.push_back(frame->table_angle_rad);
   const double masked_s = steadySeconds();
   TrackedFrame tracked = tracker_.addFrame(frame, mask);
   mask_seconds_ += masked_s - start_s;
   track_seconds_ += steadySeconds() - masked_s;
   return tracked;
+}
+
+bool LiveReconstruction::Impl::coversFullTurn() const {
+  if (table_angles_rad_.size() < 3) return false;
+  const double turned_rad = std::abs(table_angles_rad_.back() - table_angles_rad_.front());
+  const double last_step_rad =
+      std::abs(table_angles_rad_.back() - table_angles_rad_[table_angles_rad_.size() - 2]);
+  return std::abs(kTurn_rad - turned_rad) < 1.5 * last_step_rad;
 }
 
 bool LiveReconstruction::Impl::plausible(const EstimatedPoint& estimated) const {
@@ -194,6 +206,7 @@ Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const 
   }
   result.cloud = std::move(kept);
   measureResiduals(accepted, result);
+  if (coversFullTurn()) result.turn_gap = tracker_.turnGap();
   result.seconds = {
       {"mask", mask_seconds_}, {"track", track_seconds_}, {"recover", steadySeconds() - start_s}};
   task.report(1.0, "Points ready");

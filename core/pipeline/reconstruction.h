@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "core/scan/point_cloud.h"
+#include "core/track/turn_gap.h"
 
 namespace gyre {
 
@@ -15,6 +17,7 @@ struct Reconstruction {
   std::size_t observations = 0;  // in the accepted points
   double rms_px = 0.0;           // reprojection error of the accepted observations
   double median_px = 0.0;
+  std::optional<TurnGap> turn_gap;        // after a full turn only
   std::map<std::string, double> seconds;  // stage -> time spent
 };
 

@@ -65,6 +65,7 @@ class FeatureTracker::Impl {
   TrackedFrame addFrame(const FramePtr& frame, const cv::Mat& object_mask);
   std::vector<const MeasuredTrack*> tracks() const;
   const PointEstimator& estimator() const { return estimator_; }
+  std::optional<TurnGap> turnGap() const;
 
  private:
   // What following one active track into the new view came to.
@@ -97,6 +98,7 @@ class FeatureTracker::Impl {
   PointEstimator estimator_;
   SearchVolume volume_;
   EpipolarSearch search_;
+  GreyPyramid first_;
   GreyPyramid before_;
   std::vector<MeasuredTrack> active_;
   std::vector<MeasuredTrack> ended_;
@@ -229,8 +231,9 @@ void FeatureTracker::Impl::detect(const FramePtr& frame, const GreyPyramid& now,
   for (const MeasuredTrack& active : active_) {
     occupied.push_back(active.track.observations.back().pixel);
   }
+  const double noise_sigma = estimateNoiseSigma(now.grey, allowed);
   for (const Feature& feature :
-       detectFeatures(now.grey, now.noise_sigma, allowed, occupied, options_)) {
+       detectFeatures(now.grey, noise_sigma, allowed, occupied, options_)) {
     MeasuredTrack fresh;
     fresh.track.id = next_id_++;
     const double sigma_px = std::hypot(feature.sigma_px, kTrackingFloor_px);
@@ -274,6 +277,7 @@ TrackedFrame FeatureTracker::Impl::addFrame(const FramePtr& frame, const cv::Mat
   }
   advance(frame, view, steps);
   detect(frame, now, allowed, view);
+  if (view == 0) first_ = now;
   before_ = std::move(now);
   return marks(frame);
 }
@@ -286,6 +290,19 @@ std::vector<const MeasuredTrack*> FeatureTracker::Impl::tracks() const {
     if (track.point) all.push_back(&track);
   }
   return all;
+}
+
+std::optional<TurnGap> FeatureTracker::Impl::turnGap() const {
+  const auto last_view = static_cast<std::int32_t>(estimator_.poses().size()) - 1;
+  std::vector<LateFeature> late;
+  for (const MeasuredTrack& track : active_) {
+    const Observation& last = track.track.observations.back();
+    const bool begun_late = track.track.observations.front().view > last_view / 2;
+    if (!track.point || !begun_late || last.view != last_view) continue;
+    const auto settled = estimator_.estimate(track.sightings, track.track.id);
+    if (settled) late.push_back({last.pixel, settled->position_in_table});
+  }
+  return measureTurnGap({before_, first_, calibration_.camera, pose(0)}, late, options_);
 }
 
 Result<FeatureTracker> FeatureTracker::create(const Calibration& calibration,
@@ -310,6 +327,7 @@ TrackedFrame FeatureTracker::addFrame(const FramePtr& frame, const cv::Mat& obje
   return impl_->addFrame(frame, object_mask);
 }
 std::vector<const MeasuredTrack*> FeatureTracker::tracks() const { return impl_->tracks(); }
+std::optional<TurnGap> FeatureTracker::turnGap() const { return impl_->turnGap(); }
 const PointEstimator& FeatureTracker::estimator() const { return impl_->estimator(); }
 
 }  // namespace gyre

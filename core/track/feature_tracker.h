@@ -14,6 +14,7 @@
 #include "core/scan/track.h"
 #include "core/scan/tracked_frame.h"
 #include "core/track/options.h"
+#include "core/track/turn_gap.h"
 
 namespace gyre {
 
@@ -47,6 +48,10 @@ class FeatureTracker {
   // Every track with at least the least number of views, ended ones first, in a fixed order.
   // Pointers hold until the next addFrame().
   std::vector<const MeasuredTrack*> tracks() const;
+
+  // How far the last view misses the first, told by features seen only late in the turn. Meaningful
+  // after a whole turn; nothing when too few features reach from the last view to the first.
+  std::optional<TurnGap> turnGap() const;
 
   const PointEstimator& estimator() const;  // with the poses of all frames so far
 

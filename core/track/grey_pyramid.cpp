@@ -19,15 +19,26 @@ constexpr double kLeastNoise = 0.3;
 
 }  // namespace
 
-double estimateNoiseSigma(const cv::Mat& grey) {
+double estimateNoiseSigma(const cv::Mat& grey, const cv::Mat& area) {
   const cv::Mat kernel = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
   cv::Mat response;
   cv::filter2D(grey, response, CV_32F, kernel);
+  const cv::Size blocks_size(std::max(1, grey.cols / kBlock_px),
+                             std::max(1, grey.rows / kBlock_px));
   cv::Mat blocks;
-  cv::resize(cv::abs(response), blocks,
-             {std::max(1, grey.cols / kBlock_px), std::max(1, grey.rows / kBlock_px)}, 0, 0,
-             cv::INTER_AREA);
-  std::vector<float> values(blocks.begin<float>(), blocks.end<float>());
+  cv::resize(cv::abs(response), blocks, blocks_size, 0, 0, cv::INTER_AREA);
+  cv::Mat covered(blocks_size, CV_8U, cv::Scalar(255));
+  if (!area.empty()) cv::resize(area != 0, covered, blocks_size, 0, 0, cv::INTER_AREA);
+
+  std::vector<float> values;
+  for (int row = 0; row < blocks.rows; ++row) {
+    for (int column = 0; column < blocks.cols; ++column) {
+      if (covered.at<std::uint8_t>(row, column) > 250) {
+        values.push_back(blocks.at<float>(row, column));
+      }
+    }
+  }
+  if (values.empty()) values.assign(blocks.begin<float>(), blocks.end<float>());
   const auto tenth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
   std::nth_element(values.begin(), tenth, values.end());
   return std::max(kLeastNoise, std::sqrt(kPi / 2.0) / 6.0 * static_cast<double>(*tenth));
@@ -37,7 +48,6 @@ GreyPyramid buildGreyPyramid(const cv::Mat& image_bgr, int window_px) {
   GreyPyramid pyramid;
   cv::cvtColor(image_bgr, pyramid.grey, cv::COLOR_BGR2GRAY);
   cv::buildOpticalFlowPyramid(pyramid.grey, pyramid.levels, {window_px, window_px}, kMaxLevel);
-  pyramid.noise_sigma = estimateNoiseSigma(pyramid.grey);
   return pyramid;
 }
 

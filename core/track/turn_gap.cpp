@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/track/turn_gap.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/track/correlation.h"
+#include "core/track/klt_step.h"
+
+namespace gyre {
+namespace {
+
+constexpr std::size_t kLeastFeatures = 10;
+
+double median(std::vector<double>& values) {
+  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), half, values.end());
+  return *half;
+}
+
+}  // namespace
+
+std::optional<TurnGap> measureTurnGap(const TurnEnds& ends, std::span<const LateFeature> late,
+                                      const TrackOptions& options) {
+  std::vector<KltMove> moves;
+  std::vector<double> mm_per_px;
+  for (const LateFeature& feature : late) {
+    const Eigen::Vector3d in_cam = ends.first_cam_from_table * feature.position_in_table;
+    const auto pixel = ends.camera.project(in_cam);
+    if (!pixel || !ends.camera.contains(*pixel, options.window_px)) continue;
+    moves.push_back({feature.last_pixel.cast<float>(), pixel->cast<float>()});
+    mm_per_px.push_back(in_cam.z() / ends.camera.fx);
+  }
+  const auto outcomes = kltStep(ends.last, ends.first, moves, options.window_px);
+  std::vector<double> gaps_px;
+  std::vector<double> gaps_mm;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (!outcomes[i].found || outcomes[i].round_trip_px > options.max_round_trip_px) continue;
+    const auto was = samplePatch(ends.last.grey, moves[i].from.cast<double>());
+    const auto is = samplePatch(ends.first.grey, outcomes[i].to.cast<double>());
+    if (!was || !is || correlate(*was, *is) < options.min_correlation) continue;
+    gaps_px.push_back((outcomes[i].to - moves[i].predicted).cast<double>().norm());
+    gaps_mm.push_back(gaps_px.back() * mm_per_px[i]);
+  }
+  if (gaps_px.size() < kLeastFeatures) return std::nullopt;
+  return TurnGap{median(gaps_px), median(gaps_mm), gaps_px.size()};
+}
+
+}  // namespace gyre
