@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/scan_settings_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/support/mutate.h"
+
+namespace gyre {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+ScanSettings oddSettings() {
+  ScanSettings settings;
+  settings.title = "Krug \"blau\", 猫";
+  settings.inventory_number = "1899/4\\b";
+  settings.rights = "CC0\n";
+  settings.turntable = "sim:duck";
+  settings.camera = "rtsp://camera.local:554/live?channel=1";
+  settings.sim_rig_json = R"({"seed":7,"rig":{"z_mm":0.1,"a":[1,2]}})";
+  settings.views = 72;
+  settings.start_angle_rad = 0.1 + 0.2;
+  return settings;
+}
+
+TEST(ScanSettingsText, ReadsBackTheSame) {
+  const ScanSettings settings = oddSettings();
+  const auto back = parseScanSettings(*scanSettingsText(settings), "f");
+  ASSERT_TRUE(back) << back.error().sentence();
+  EXPECT_EQ(back->title, settings.title);
+  EXPECT_EQ(back->inventory_number, settings.inventory_number);
+  EXPECT_EQ(back->rights, settings.rights);
+  EXPECT_EQ(back->turntable, settings.turntable);
+  EXPECT_EQ(back->camera, settings.camera);
+  EXPECT_EQ(back->sim_rig_json, settings.sim_rig_json);
+  EXPECT_EQ(back->views, settings.views);
+  EXPECT_EQ(back->start_angle_rad, settings.start_angle_rad);
+}
+
+TEST(ScanSettingsText, HoldsTheRigAsAnObjectAndNothingOnRealHardware) {
+  EXPECT_THAT(*scanSettingsText(oddSettings()), HasSubstr("\"seed\": 7"));
+  EXPECT_THAT(*scanSettingsText(ScanSettings{}), Not(HasSubstr("sim_rig")));
+  EXPECT_EQ(parseScanSettings(*scanSettingsText(ScanSettings{}), "f")->sim_rig_json, "");
+}
+
+TEST(ScanSettingsText, RefusesWhatItCouldNotRead) {
+  ScanSettings settings = oddSettings();
+  settings.sim_rig_json = R"({"seed":)";
+  EXPECT_FALSE(scanSettingsText(settings));
+  settings = oddSettings();
+  settings.views = 0;
+  EXPECT_FALSE(scanSettingsText(settings));
+  settings = oddSettings();
+  settings.start_angle_rad = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(scanSettingsText(settings));
+}
+
+TEST(ScanSettingsText, NeverHoldsAPassword) {
+  ScanSettings settings;
+  settings.camera = "http://anna:geheim@10.0.0.7:8080/video?user=anna&password=geheim&w=640";
+  const std::string text = *scanSettingsText(settings);
+  EXPECT_THAT(text, Not(HasSubstr("geheim")));
+  EXPECT_THAT(text, HasSubstr("http://10.0.0.7:8080/video?user=anna&password=&w=640"));
+}
+
+TEST(WithoutPassword, RemovesOnlyWhatIsSecret) {
+  const std::pair<std::string, std::string> cases[] = {
+      {"/dev/video0", "/dev/video0"},
+      {"me:pw@home", "me:pw@home"},
+      {"sim", "sim"},
+      {"http://host/a@b", "http://host/a@b"},
+      {"http://host:80/a@b", "http://host:80/a@b"},
+      {"rtsp://u:p@host/x", "rtsp://host/x"},
+      {"rtsp://u@host/x", "rtsp://host/x"},
+      {"rtsp://u:p@ss@host/x", "rtsp://host/x"},
+      {"rtsp://u:p/w@host/x", "rtsp://host/x"},
+      {"rtsp://u:p?w@host/x", "rtsp://host/x"},
+      {"http://u:p@[::1]:80/x", "http://[::1]:80/x"},
+      {"http://[::1]:80/x@y", "http://[::1]:80/x@y"},
+      {"http://h/x?loginpas=s&PWD=s&b=2#part", "http://h/x?loginpas=s&PWD=&b=2#part"},
+      {"http://h/x?token=s", "http://h/x?token="},
+      {"http://", "http://"},
+  };
+  for (const auto& [address, kept] : cases) EXPECT_EQ(withoutPassword(address), kept);
+}
+
+TEST(ParseScanSettings, TellsWhatIsWrong) {
+  const std::pair<std::string, std::string> cases[] = {
+      {"", "is damaged"},
+      {"[1]", "\"format\""},
+      {R"({"format":"gyre-calibration"})", "\"format\""},
+      {R"({"format":"gyre-scan","version":9})", "version"},
+      {R"({"format":"gyre-scan","version":1})", "\"views\""},
+      {R"({"format":"gyre-scan","version":1,"views":"72"})", "\"views\""},
+      {R"({"format":"gyre-scan","version":1,"views":-1})", "\"views\""},
+      {R"({"format":"gyre-scan","version":1,"views":1000000})", "\"views\""},
+      {R"({"format":"gyre-scan","version":1,"views":72})", "\"start_angle_rad\""},
+      {R"({"format":"gyre-scan","version":1,"views":72,"start_angle_rad":1e9})", "angle_rad"},
+  };
+  for (const auto& [text, problem] : cases) {
+    const auto settings = parseScanSettings(text, "duck.gyre");
+    ASSERT_FALSE(settings) << text;
+    EXPECT_THAT(settings.error().what, HasSubstr("duck.gyre"));
+    EXPECT_THAT(settings.error().what, HasSubstr(problem));
+  }
+}
+
+TEST(ParseScanSettings, SurvivesDamage) {
+  const std::string text = *scanSettingsText(oddSettings());
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    const auto settings = parseScanSettings(mutated(text, seed), "f");
+    EXPECT_TRUE(!settings || settings->views > 0);
+  }
+}
+
+}  // namespace
+}  // namespace gyre
