@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/io/scan_journal.h"
 #include "core/scan/calibration.h"
 #include "core/scan/frame.h"
 #include "core/scan/scan.h"
@@ -15,16 +17,17 @@ namespace gyre {
 // NAME/ with NAME.gyre, frames/, empty/, journal.jsonl and calibration.json in it. After addView()
 // has returned, the view is on the disk: the file and its journal line are written and synced.
 // Whatever instant the program is killed at, open() finds every view whose addView() had returned.
-// One thread at a time.
+// While a store lives, no other program can open the scan. One thread at a time.
 class ScanStore {
  public:
-  // Makes the folder and writes settings and calibration. Fails when the folder holds a scan
-  // already, or cannot be written.
+  // Makes the folder with settings and calibration in it, all or nothing. Fails when the folder
+  // exists and is not empty, and then touches nothing; or when it cannot be written.
   static Result<ScanStore> create(const std::filesystem::path& folder, const ScanSettings& settings,
                                   const Calibration& calibration);
 
-  // Opens the folder, or the .gyre file in it. A torn last journal line, and pictures without a
-  // line, are what a kill leaves behind: they are dropped.
+  // Opens the folder, or the .gyre file in it. A torn last journal line, pictures without a line
+  // and lines without a whole picture are what a kill leaves behind: they are dropped. kBusy when
+  // the scan is open in another program.
   static Result<ScanStore> open(const std::filesystem::path& folder_or_file);
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -33,19 +36,22 @@ class ScanStore {
   const std::vector<CapturedView>& views() const { return views_; }  // ascending
   bool complete() const;  // every view of the settings is captured
 
-  // Writes the picture losslessly, syncs it, appends and syncs the journal line.
-  Result<void> addView(const Frame& frame, std::int64_t steps);
+  // Writes the picture losslessly, syncs it, appends and syncs the journal line. The frame's view
+  // must be one of the settings; a view that is there already is replaced. sharpness: any measure
+  // that grows with it, for the journal.
+  Result<void> addView(const Frame& frame, std::int64_t steps, double sharpness = 0.0);
   Result<void> addEmptyTable(const Frame& frame);
 
   Result<FramePtr> readView(const CapturedView& view) const;
   Result<FramePtr> readEmptyTable() const;  // kNotFound when there is none
 
  private:
-  ScanStore() = default;
+  explicit ScanStore(ScanJournal journal) : journal_(std::move(journal)) {}
 
   std::filesystem::path folder_;
   ScanSettings settings_;
   Calibration calibration_;
+  ScanJournal journal_;
   std::vector<CapturedView> views_;
 };
 

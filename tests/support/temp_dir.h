@@ -37,6 +37,8 @@ class TempDir {
 };
 
 inline std::filesystem::path putFile(const std::filesystem::path& file, std::string_view bytes) {
+  // Truncating an old file would make ext4 write it out at once, which tests need not wait for.
+  std::filesystem::remove(file);
   std::ofstream stream(file, std::ios::binary);
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return file;
