@@ -47,6 +47,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), actors_(std::make_uniqu
   rest_timer_.setInterval(250);
   connect(&rest_timer_, &QTimer::timeout, this, &SceneView::endMotion);
   camera_.fit(actors_->objectBounds());
+  camera_.zoom(0.85);  // some room for the camera that goes round
   followTheme();
 }
 

@@ -1,0 +1,41 @@
+// What a user may change about surfaces.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/option_list.h"
+
+namespace gyre {
+
+struct AlphaShapeOptions {
+  // Radius of the largest empty ball that may not pass through the surface; 0 lets the spacing of
+  // the points decide. [mm], 0..1000; larger closes holes, smaller opens clefts and handles.
+  double alpha_mm = 0.0;
+  // Alpha as a multiple of the points' even spacing, used when alpha_mm is 0. 1..20
+  double alpha_spacings = 3.0;
+  // Points nearer together than this are thinned; 0 lets spacing and noise decide. [mm], 0..1000
+  double spacing_mm = 0.0;
+  // Components with less than this share of the largest one's area are left out. 0..1
+  double min_component_share = 0.02;
+
+  template <class V>
+  void describe(V& visit) {
+    visit(
+        {"alpha", "mm", 0.0, 1000.0,
+         "Radius of the ball that may not pass through the surface; 0 chooses it from the points' "
+         "spacing. Larger closes holes, smaller keeps clefts open."},
+        alpha_mm);
+    visit({"alpha-spacings", "", 1.0, 20.0,
+           "Alpha as a multiple of the points' spacing, where alpha is 0."},
+          alpha_spacings);
+    visit({"spacing", "mm", 0.0, 1000.0,
+           "Points nearer together than this are thinned; 0 lets spacing and noise decide."},
+          spacing_mm);
+    visit({"min-component", "", 0.0, 1.0,
+           "Pieces with less than this share of the largest piece's area are left out."},
+          min_component_share);
+  }
+
+  Result<void> validate() const { return validateRanges(*this); }
+};
+
+}  // namespace gyre

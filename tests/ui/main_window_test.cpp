@@ -1,0 +1,124 @@
+// The window: everything has a name, and offers only what is possible now.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include <QAbstractButton>
+#include <QAccessible>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/support/qt_application.h"
+#include "ui/banner.h"
+#include "ui/job_bar.h"
+#include "ui/start_page.h"
+#include "ui/work_page.h"
+
+namespace gyre {
+namespace {
+
+class MainWindowTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    window_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
+  }
+  static QPushButton* button(QWidget& parent, const QString& text) {
+    for (QPushButton* candidate : parent.findChildren<QPushButton*>()) {
+      if (candidate->text() == text) return candidate;
+    }
+    return nullptr;
+  }
+  MainWindow window_;
+};
+
+TEST_F(MainWindowTest, GivesEverythingThatTakesTheFocusAName) {
+  for (const QWidget* widget : window_.findChildren<QWidget*>()) {
+    if (widget->focusPolicy() == Qt::NoFocus || widget->inherits("QLabel")) continue;
+    if (widget->parentWidget()->inherits("QComboBoxPrivateContainer")) continue;  // Qt's own popup
+    QAccessibleInterface* interface =
+        QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
+    if (interface == nullptr || interface->role() == QAccessible::Client) continue;
+    EXPECT_FALSE(interface->text(QAccessible::Name).isEmpty())
+        << widget->metaObject()->className() << " in "
+        << widget->parentWidget()->metaObject()->className();
+  }
+}
+
+TEST_F(MainWindowTest, NeverLoadsQt5) {
+  std::ifstream maps("/proc/self/maps");
+  int qt6 = 0;
+  for (std::string line; std::getline(maps, line);) {
+    EXPECT_EQ(line.find("libQt5"), std::string::npos) << line;
+    if (line.find("libQt6") != std::string::npos) ++qt6;
+  }
+  EXPECT_GT(qt6, 0);
+}
+
+TEST_F(MainWindowTest, BeginsWithTheStartPage) {
+  EXPECT_TRUE(window_.start_page->isVisible());
+  window_.showWork(Step::kConnect);
+  EXPECT_FALSE(window_.start_page->isVisible());
+  EXPECT_TRUE(window_.work_page->isVisible());
+}
+
+TEST_F(MainWindowTest, OffersOnlyWhatIsPossible) {
+  JobBar& bar = *window_.work_page->job_bar;
+  window_.showPhase(ScanPhase::kIdle);
+  EXPECT_FALSE(button(bar, "Start")->isEnabled());
+  EXPECT_FALSE(button(bar, "Stop")->isEnabled());
+  window_.showPhase(ScanPhase::kReady);
+  EXPECT_TRUE(button(bar, "Start")->isEnabled());
+  window_.showPhase(ScanPhase::kScanning);
+  EXPECT_FALSE(button(bar, "Start")->isEnabled());
+  EXPECT_TRUE(button(bar, "Pause")->isEnabled());
+  EXPECT_TRUE(button(bar, "Stop")->isEnabled());
+  window_.showPhase(ScanPhase::kPaused);
+  EXPECT_NE(button(bar, "Resume"), nullptr);
+}
+
+TEST_F(MainWindowTest, PausesAndResumesBySpace) {
+  QSignalSpy paused(&window_, &MainWindow::pauseRequested);
+  QSignalSpy resumed(&window_, &MainWindow::resumeRequested);
+  window_.showWork(Step::kScan);
+  window_.showPhase(ScanPhase::kScanning);
+  QTest::keyClick(&window_, Qt::Key_Space);
+  EXPECT_EQ(paused.count(), 1);
+  window_.showPhase(ScanPhase::kPaused);
+  QTest::keyClick(&window_, Qt::Key_Space);
+  EXPECT_EQ(resumed.count(), 1);
+}
+
+TEST_F(MainWindowTest, AsksBeforeEscapeStops) {
+  QSignalSpy stopped(&window_, &MainWindow::stopRequested);
+  window_.showWork(Step::kScan);
+  window_.showPhase(ScanPhase::kScanning);
+  QTest::keyClick(&window_, Qt::Key_Escape);
+  EXPECT_EQ(stopped.count(), 0);
+  Banner& banner = *window_.work_page->banner;
+  ASSERT_TRUE(banner.isVisible());
+  QTest::mouseClick(button(banner, "Go on"), Qt::LeftButton);
+  EXPECT_EQ(stopped.count(), 0);
+  QTest::keyClick(&window_, Qt::Key_Escape);
+  QTest::mouseClick(button(banner, "Stop"), Qt::LeftButton);
+  EXPECT_EQ(stopped.count(), 1);
+  EXPECT_FALSE(banner.isVisible());
+}
+
+TEST_F(MainWindowTest, ClosesOnlyWhenAllowed) {
+  QSignalSpy asked(&window_, &MainWindow::closeRequested);
+  EXPECT_FALSE(window_.close());
+  EXPECT_EQ(asked.count(), 1);
+  window_.allowClose();
+  EXPECT_TRUE(window_.close());
+}
+
+}  // namespace
+}  // namespace gyre

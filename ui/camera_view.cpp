@@ -1,0 +1,126 @@
+// The live picture, with the features that are followed in it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/camera_view.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <QPainter>
+
+namespace gyre {
+namespace {
+
+struct MarkStyle {
+  QColor colour;
+  int dot_px;
+};
+
+MarkStyle styleOf(FeatureState state) {
+  switch (state) {
+    case FeatureState::kNew:
+      return {QColor(235, 240, 245), 2};
+    case FeatureState::kTracked:
+      return {QColor(255, 200, 60), 3};
+    case FeatureState::kMeasured:
+      return {QColor(70, 225, 130), 4};
+  }
+  return {};
+}
+
+// Shares the pixels of the frame, which must outlive the image.
+QImage imageOf(const Frame& frame) {
+  const cv::Mat& mat = frame.image_bgr;
+  return {mat.data, mat.cols, mat.rows, static_cast<qsizetype>(mat.step[0]), QImage::Format_BGR888};
+}
+
+}  // namespace
+
+CameraView::CameraView(QWidget* parent) : QWidget(parent) {
+  setMinimumSize(240, 180);
+  setAccessibleName(tr("Live picture of the camera"));
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  clear(tr("No camera yet"));
+}
+
+void CameraView::showFrame(const FramePtr& frame) {
+  frame_ = frame;
+  tracked_.reset();
+  rebuild();
+}
+
+void CameraView::showTrackedFrame(const TrackedFramePtr& tracked) {
+  tracked_ = tracked;
+  frame_ = tracked ? tracked->frame : nullptr;
+  rebuild();
+}
+
+void CameraView::clear(const QString& why) {
+  words_ = why;
+  frame_.reset();
+  tracked_.reset();
+  rebuild();
+}
+
+QRectF CameraView::pictureArea() const {
+  if (!frame_) return {};
+  const QSizeF picture(frame_->image_bgr.cols, frame_->image_bgr.rows);
+  const QSizeF fitted = picture.scaled(size(), Qt::KeepAspectRatio);
+  return {QPointF(0.5 * (width() - fitted.width()), 0.5 * (height() - fitted.height())), fitted};
+}
+
+// Scales once a frame, not once a paint.
+void CameraView::rebuild() {
+  drawn_ = {};
+  update();
+  const QSize device_size = (pictureArea().size() * devicePixelRatioF()).toSize();
+  if (!frame_ || device_size.isEmpty()) return;
+  drawn_ = QPixmap(device_size);
+  QPainter painter(&drawn_);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(QRectF(QPointF(), device_size), imageOf(*frame_));
+  paintMarks(painter, device_size.width() / static_cast<double>(frame_->image_bgr.cols));
+}
+
+void CameraView::paintMarks(QPainter& painter, double scale) const {
+  if (!tracked_) return;
+  for (const FeatureState state :
+       {FeatureState::kNew, FeatureState::kTracked, FeatureState::kMeasured}) {
+    const MarkStyle style = styleOf(state);
+    const int dot_px = std::max(2, qRound(style.dot_px * devicePixelRatioF()));
+    std::vector<QLineF> tails;
+    std::vector<QRectF> dots;
+    for (const FeatureMark& mark : tracked_->marks) {
+      if (mark.state != state) continue;
+      // The centre of the first pixel is (0, 0), half a pixel from the picture's corner.
+      const auto at = [&](const Eigen::Vector2f& pixel) {
+        return QPointF((pixel.x() + 0.5) * scale, (pixel.y() + 0.5) * scale);
+      };
+      for (std::size_t i = 1; i < mark.tail.size(); ++i) {
+        tails.emplace_back(at(mark.tail[i - 1]), at(mark.tail[i]));
+      }
+      const QPointF head = at(mark.tail.back());
+      dots.emplace_back(head.x() - 0.5 * dot_px, head.y() - 0.5 * dot_px, dot_px, dot_px);
+    }
+    QColor faint = style.colour;
+    faint.setAlpha(150);
+    painter.setPen(QPen(faint, 0));
+    painter.drawLines(tails.data(), static_cast<int>(tails.size()));
+    for (const QRectF& dot : dots) painter.fillRect(dot, style.colour);
+  }
+}
+
+void CameraView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), palette().color(QPalette::Window));
+  if (drawn_.isNull()) {
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, words_);
+    return;
+  }
+  painter.drawPixmap(pictureArea(), drawn_, QRectF(drawn_.rect()));
+}
+
+void CameraView::resizeEvent(QResizeEvent*) { rebuild(); }
+
+}  // namespace gyre

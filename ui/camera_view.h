@@ -1,0 +1,46 @@
+// The live picture, with the features that are followed in it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QPixmap>
+#include <QWidget>
+
+#include "core/scan/tracked_frame.h"
+
+namespace gyre {
+
+using TrackedFramePtr = std::shared_ptr<const TrackedFrame>;
+
+// Shows the whole picture, as large as fits. Features are dots with tails of the last views:
+// white seen once, yellow followed, green measured; a measured one also has the larger dot.
+class CameraView final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CameraView(QWidget* parent = nullptr);
+
+  QSize sizeHint() const override { return {480, 360}; }
+
+ public Q_SLOTS:
+  void showFrame(const gyre::FramePtr& frame);
+  void showTrackedFrame(const gyre::TrackedFramePtr& tracked);
+  void clear(const QString& why);  // shows the words in place of a picture
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QRectF pictureArea() const;
+  void rebuild();
+  void paintMarks(QPainter& painter, double scale) const;
+
+  FramePtr frame_;
+  TrackedFramePtr tracked_;
+  QString words_;
+  QPixmap drawn_;  // picture and marks in device pixels of the picture's area
+};
+
+}  // namespace gyre

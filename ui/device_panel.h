@@ -1,0 +1,75 @@
+// Step 1: which turntable and which camera, what they say of themselves, and small moves by hand.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "core/scan/device_info.h"
+#include "ui/facts.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFrame;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace gyre {
+
+// Ports and cameras are listed without being opened. Moving is offered only after the user has said
+// that the identified device is a turntable.
+class DevicePanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DevicePanel(QWidget* parent = nullptr);
+
+  QString turntable() const;  // a port, tcp:HOST:PORT or sim[:OBJECT], as on the command line
+  QString camera() const;
+  void choose(const QString& turntable, const QString& camera);
+
+ public Q_SLOTS:
+  void showPorts(const std::vector<gyre::PortInfo>& ports);
+  void showCameras(const std::vector<gyre::CameraDeviceInfo>& cameras);
+  void showPhase(gyre::ScanPhase phase);
+  void showTurntable(const gyre::TurntableInfo& info);
+  void showCamera(const gyre::CameraInfo& info);
+  void showAngle_deg(double angle_deg);
+  void askWhetherTurntable();  // hides the moves until the user says yes
+  void allowMoving();
+
+ Q_SIGNALS:
+  void refreshRequested();
+  void connectRequested(const QString& turntable, const QString& camera);
+  void disconnectRequested();
+  void turntableConfirmed();
+  void turnRequested_deg(double by_deg);
+  void angleRequested_deg(double to_deg);
+  void releaseRequested();
+  void lockRequested();
+
+ private:
+  void buildChoice(QVBoxLayout& layout);
+  void buildQuestion(QVBoxLayout& layout);
+  void buildMoves(QVBoxLayout& layout);
+  void buildCamera(QVBoxLayout& layout);
+  void showHindrance();
+
+  QComboBox* turntable_;
+  QComboBox* camera_;
+  QLabel* hindrance_;
+  QPushButton* connect_;
+  QPushButton* disconnect_;
+  QFrame* question_;
+  QLabel* question_text_;
+  QFrame* moves_;
+  QLabel* firmware_;
+  QLabel* angle_;
+  QDoubleSpinBox* target_deg_;
+  QFrame* camera_card_;
+  QLabel* camera_text_;
+};
+
+}  // namespace gyre

@@ -1,0 +1,61 @@
+// What the window is told of a scan: plain facts, shown as they are.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include <QDateTime>
+#include <QString>
+
+namespace gyre {
+
+// Where a scan stands. The window offers only what is possible there.
+enum class ScanPhase {
+  kIdle,        // nothing is connected
+  kConnecting,  // table and camera are being opened
+  kReady,       // both answer; a scan can start
+  kEmptyTable,  // the picture of the bare table is being taken
+  kScanning,
+  kPaused,
+  kStopping,   // the table slows down; the last view is being written
+  kFinishing,  // all views are captured; the points are refined
+  kMeshing,
+  kDone,
+  kFailed,  // what was captured is on the disk
+};
+
+constexpr bool isCapturing(ScanPhase phase) {
+  return phase == ScanPhase::kScanning || phase == ScanPhase::kPaused ||
+         phase == ScanPhase::kStopping;
+}
+
+struct ScanFacts {
+  int views_done = 0;
+  int views = 0;
+  double elapsed_s = 0.0;
+  std::optional<double> left_s;
+  std::size_t points = 0;
+  std::optional<double> median_sigma_mm;
+};
+
+enum class Step { kConnect, kCalibrate, kPlace, kScan, kMesh, kExport };
+inline constexpr std::size_t kStepCount = 6;
+
+enum class StepState { kTodo, kNow, kDone, kAttention };
+using StepStates = std::array<StepState, kStepCount>;
+
+// A scan of before, for the start page.
+struct RecentScan {
+  QString folder;
+  QString title;
+  QDateTime when;
+  double size_mm = 0.0;  // diagonal of the points' bounding box, 0 when unknown
+  QString thumbnail;     // file, may be missing
+};
+
+// "1:05", "2:01:05".
+QString clockText(double seconds);
+
+}  // namespace gyre

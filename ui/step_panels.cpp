@@ -1,0 +1,191 @@
+// The panels of steps 2, 3 and 4: calibration, placing, scan.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/step_panels.h"
+
+#include <QButtonGroup>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QRadioButton>
+#include <QSpinBox>
+
+#include "ui/parts.h"
+
+namespace gyre {
+
+CalibrationPanel::CalibrationPanel(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* card = nullptr;
+  layout->addWidget(makeCard(card));
+  card->addWidget(makeLabel(tr("Calibration"), "heading"));
+  source_ = makeLabel(QString());
+  figures_ = makeLabel(QString(), "muted");
+  card->addWidget(source_);
+  card->addWidget(figures_);
+  auto* open = makeButton(tr("Open calibration…"),
+                          tr("Take the calibration of this camera and table from a file"));
+  card->addWidget(open);
+  layout->addStretch(1);
+  connect(open, &QPushButton::clicked, this, [this] {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open calibration"), QString(),
+                                                      tr("Calibration (*.json)"));
+    if (!path.isEmpty()) Q_EMIT fileChosen(path);
+  });
+  showNone();
+}
+
+void CalibrationPanel::showCalibration(const Calibration& calibration, const QString& source) {
+  source_->setText(source);
+  const CameraModel& camera = calibration.camera;
+  QString text = tr("Pictures of %1 × %2 px, focal length %3 px")
+                     .arg(camera.width_px)
+                     .arg(camera.height_px)
+                     .arg(camera.fx, 0, 'f', 1);
+  text += calibration.cam_from_table
+              ? tr("\nCamera %1 mm from the middle of the table")
+                    .arg(calibration.cam_from_table->translation.norm(), 0, 'f', 1)
+              : tr("\nThe place of the camera at the table is not known: this calibration cannot "
+                   "be used for a scan.");
+  figures_->setText(text);
+}
+
+void CalibrationPanel::showNone() {
+  source_->setText(tr("None yet."));
+  figures_->setText(
+      tr("A scan needs to know the camera and its place at the table. The simulated "
+         "rig brings its own calibration."));
+}
+
+PlacePanel::PlacePanel(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* card = nullptr;
+  layout->addWidget(makeCard(card));
+  card->addWidget(makeLabel(tr("The empty table"), "heading"));
+  card->addWidget(
+      makeLabel(tr("Take everything off the table. A picture of it tells the object "
+                   "from the ground it stands on.")));
+  take_ = makeButton(tr("Take the picture"), tr("Take a picture of the empty table"));
+  card->addWidget(take_);
+  taken_ = makeLabel(QString(), "muted");
+  card->addWidget(taken_);
+  QVBoxLayout* object = nullptr;
+  layout->addWidget(makeCard(object));
+  object->addWidget(makeLabel(tr("The object"), "heading"));
+  object->addWidget(
+      makeLabel(tr("Put the object in the middle of the table. From here on, the "
+                   "camera may not be touched.")));
+  placed_ = makePrimaryButton(tr("The object is in place"), tr("Go on to the scan"));
+  object->addWidget(placed_);
+  layout->addStretch(1);
+  connect(take_, &QPushButton::clicked, this, &PlacePanel::emptyTableRequested);
+  connect(placed_, &QPushButton::clicked, this, &PlacePanel::objectPlaced);
+  reset();
+}
+
+void PlacePanel::showPhase(ScanPhase phase) {
+  const bool at_rest =
+      phase == ScanPhase::kReady || phase == ScanPhase::kDone || phase == ScanPhase::kFailed;
+  take_->setEnabled(at_rest);
+  placed_->setEnabled(at_rest);
+}
+
+void PlacePanel::showEmptyTableTaken() { taken_->setText(tr("✓ The empty table has been seen.")); }
+
+void PlacePanel::reset() {
+  taken_->setText(
+      tr("Without it, the object is told from what stands still while the table turns."));
+}
+
+ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  QVBoxLayout* card = nullptr;
+  layout->addWidget(makeCard(card));
+  card->addWidget(makeLabel(tr("Views around the object"), "heading"));
+  kind_ = new QButtonGroup(this);
+  auto* quick = new QRadioButton(tr("Quick: 72 views, 5° apart"));
+  auto* full = new QRadioButton(tr("Full: 200 views, 1.8° apart"));
+  auto* own = new QRadioButton(tr("Own number"));
+  kind_->addButton(quick, 72);
+  kind_->addButton(full, 200);
+  kind_->addButton(own, 0);
+  quick->setChecked(true);
+  views_ = new QSpinBox;
+  views_->setRange(12, 2000);
+  views_->setValue(72);
+  views_->setEnabled(false);
+  views_->setAccessibleName(tr("Number of views"));
+  views_->setToolTip(
+      tr("Views over one full turn: more views follow finer relief and take longer"));
+  for (QWidget* widget : {static_cast<QWidget*>(quick), static_cast<QWidget*>(full),
+                          static_cast<QWidget*>(own), static_cast<QWidget*>(views_)}) {
+    card->addWidget(widget);
+  }
+  estimate_ = makeLabel(QString(), "muted");
+  card->addWidget(estimate_);
+  card->addWidget(makeLabel(tr("Keep in"), "heading"));
+  auto* row = new QHBoxLayout;
+  folder_ = new QLineEdit;
+  folder_->setAccessibleName(tr("Folder of the scan"));
+  folder_->setToolTip(tr("A new folder: every view is on the disk before the table moves on"));
+  auto* browse = makeButton(tr("…"), tr("Choose another place"));
+  browse->setAccessibleName(tr("Choose another place"));
+  row->addWidget(folder_, 1);
+  row->addWidget(browse);
+  card->addLayout(row);
+  start_ = makePrimaryButton(tr("Start the scan"), tr("The table will turn"));
+  resume_ = makeButton(tr("Go on with this scan"), tr("Capture the views that are missing"));
+  resume_->hide();
+  card->addWidget(start_);
+  card->addWidget(resume_);
+  layout->addStretch(1);
+  connect(kind_, &QButtonGroup::idClicked, this, [this](int views) {
+    views_->setEnabled(views == 0);
+    if (views > 0) views_->setValue(views);
+  });
+  connect(views_, &QSpinBox::valueChanged, this, &ScanPanel::showEstimate);
+  connect(browse, &QPushButton::clicked, this, [this] {
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("A folder for the scan"), folder(), QString(), nullptr, QFileDialog::ShowDirsOnly);
+    if (!path.isEmpty()) setFolder(path);
+  });
+  connect(start_, &QPushButton::clicked, this, &ScanPanel::startRequested);
+  connect(resume_, &QPushButton::clicked, this, &ScanPanel::resumeRequested);
+}
+
+int ScanPanel::views() const { return views_->value(); }
+QString ScanPanel::folder() const { return folder_->text().trimmed(); }
+void ScanPanel::setFolder(const QString& folder) { folder_->setText(folder); }
+
+void ScanPanel::setViews(int views) {
+  QAbstractButton* preset = kind_->button(views);
+  (preset != nullptr && views > 0 ? preset : kind_->button(0))->setChecked(true);
+  views_->setEnabled(kind_->checkedId() == 0);
+  views_->setValue(views);
+}
+
+void ScanPanel::showPhase(ScanPhase phase) {
+  const bool at_rest =
+      phase == ScanPhase::kReady || phase == ScanPhase::kDone || phase == ScanPhase::kFailed;
+  start_->setEnabled(at_rest);
+  resume_->setVisible(phase == ScanPhase::kFailed);
+  for (QAbstractButton* button : kind_->buttons()) button->setEnabled(!isCapturing(phase));
+  views_->setEnabled(!isCapturing(phase) && kind_->checkedId() == 0);
+  folder_->setEnabled(!isCapturing(phase));
+}
+
+void ScanPanel::showCost(double seconds_per_view, double megabytes_per_view) {
+  seconds_per_view_ = seconds_per_view;
+  megabytes_per_view_ = megabytes_per_view;
+  showEstimate();
+}
+
+void ScanPanel::showEstimate() {
+  if (seconds_per_view_ <= 0.0) return;
+  estimate_->setText(tr("About %1 minutes and %2 MB on the disk")
+                         .arg(clockText(seconds_per_view_ * views()))
+                         .arg(megabytes_per_view_ * views(), 0, 'f', 0));
+}
+
+}  // namespace gyre

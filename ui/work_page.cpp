@@ -1,0 +1,133 @@
+// The page on which a scan is made: steps, live picture, 3D view, progress.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/work_page.h"
+
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QToolButton>
+
+#include "ui/banner.h"
+#include "ui/camera_view.h"
+#include "ui/device_panel.h"
+#include "ui/job_bar.h"
+#include "ui/parts.h"
+#include "ui/scene_view.h"
+#include "ui/step_list.h"
+#include "ui/step_panels.h"
+#include "ui/theme.h"
+
+namespace gyre {
+namespace {
+
+constexpr int kStepsWidth_px = 304;
+
+// A view in a card, under a line that names it.
+QFrame* framed(const QString& title, const QString& legend, QWidget* view, QWidget* tool) {
+  auto* frame = new QFrame;
+  frame->setProperty("card", true);
+  auto* layout = new QVBoxLayout(frame);
+  layout->setContentsMargins(10, 8, 10, 10);
+  auto* row = new QHBoxLayout;
+  QLabel* name = makeLabel(title, "heading");
+  name->setWordWrap(false);
+  name->setMinimumHeight(30);
+  row->addWidget(name);
+  row->addStretch(1);
+  QLabel* text = makeLabel(legend, "muted");
+  text->setTextFormat(Qt::RichText);
+  text->setWordWrap(false);
+  row->addWidget(text);
+  if (tool != nullptr) row->addWidget(tool);
+  layout->addLayout(row);
+  layout->addWidget(view, 1);
+  return frame;
+}
+
+}  // namespace
+
+WorkPage::WorkPage(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(12, 12, 12, 12);
+  layout->setSpacing(kGap_px);
+  layout->addWidget(buildSteps());
+  auto* right = new QVBoxLayout;
+  right->setSpacing(kGap_px);
+  layout->addLayout(right, 1);
+  banner = new Banner;
+  right->addWidget(banner);
+  right->addWidget(buildViews(), 1);
+  job_bar = new JobBar;
+  right->addWidget(job_bar);
+  showPhase(ScanPhase::kIdle);
+}
+
+QWidget* WorkPage::buildSteps() {
+  auto* column = new QWidget;
+  column->setFixedWidth(kStepsWidth_px);
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGap_px);
+  steps = new StepList;
+  layout->addWidget(steps);
+  device_panel = new DevicePanel;
+  calibration_panel = new CalibrationPanel;
+  place_panel = new PlacePanel;
+  scan_panel = new ScanPanel;
+  mesh_panel = new MeshPanel;
+  export_panel = new ExportPanel;
+  panels_ = new QStackedWidget;
+  for (QWidget* panel :
+       {static_cast<QWidget*>(device_panel), static_cast<QWidget*>(calibration_panel),
+        static_cast<QWidget*>(place_panel), static_cast<QWidget*>(scan_panel),
+        static_cast<QWidget*>(mesh_panel), static_cast<QWidget*>(export_panel)}) {
+    panels_->addWidget(panel);
+  }
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(panels_);
+  layout->addWidget(scroll, 1);
+  connect(steps, &StepList::stepChosen, this, &WorkPage::showStep);
+  return column;
+}
+
+QWidget* WorkPage::buildViews() {
+  camera_view = new CameraView;
+  scene_view = new SceneView;
+  auto* fit = new QToolButton;
+  fit->setIcon(themeIcon("fit"));
+  fit->setToolTip(tr("Show the whole object (F)"));
+  fit->setAccessibleName(tr("Show the whole object"));
+  connect(fit, &QToolButton::clicked, scene_view, &SceneView::fit);
+  auto* splitter = new QSplitter(Qt::Horizontal);
+  splitter->setChildrenCollapsible(false);
+  splitter->setHandleWidth(kGap_px);
+  splitter->addWidget(framed(tr("Camera"),
+                             tr("<span style='color:#8b97a3'>●</span> seen once  "
+                                "<span style='color:#e0a81e'>●</span> followed  "
+                                "<span style='color:#2fb567'>●</span> measured"),
+                             camera_view, nullptr));
+  splitter->addWidget(framed(tr("Model"), QString(), scene_view, fit));
+  splitter->setStretchFactor(0, 1);
+  splitter->setStretchFactor(1, 1);
+  splitter->setSizes({1000, 1000});
+  return splitter;
+}
+
+void WorkPage::showPhase(ScanPhase phase) {
+  device_panel->showPhase(phase);
+  place_panel->showPhase(phase);
+  scan_panel->showPhase(phase);
+  mesh_panel->showPhase(phase);
+  job_bar->showPhase(phase);
+}
+
+void WorkPage::showStep(Step step) {
+  steps->setShown(step);
+  panels_->setCurrentIndex(static_cast<int>(step));
+}
+
+}  // namespace gyre
