@@ -13,6 +13,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "core/base/address.h"
 #include "core/base/clock.h"
 
 namespace gyre {
@@ -213,16 +214,6 @@ Result<std::unique_ptr<FrameSource>> openDevice(const std::string& path,
 }
 
 }  // namespace
-
-std::string withoutPassword(const std::string& camera) {
-  const std::size_t scheme = camera.find("://");
-  if (scheme == std::string::npos) return camera;
-  const std::size_t host = scheme + 3;
-  const std::size_t end = camera.find_first_of("/?#", host);
-  const std::size_t at = camera.rfind('@', end == std::string::npos ? end : end - 1);
-  if (at == std::string::npos || at < host) return camera;
-  return camera.substr(0, host) + camera.substr(at + 1);
-}
 
 Result<OpenCvSourceOptions> cameraModeFromText(const std::string& mode) {
   static const std::regex kMode(R"((\d{1,5})x(\d{1,5})(?:@([A-Za-z0-9]{4}))?(?:@(\d{1,3}))?)");

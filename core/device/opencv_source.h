@@ -28,7 +28,4 @@ Result<OpenCvSourceOptions> cameraModeFromText(const std::string& mode);
 Result<std::unique_ptr<FrameSource>> openOpenCvSource(const std::string& camera,
                                                       const OpenCvSourceOptions& options = {});
 
-// The URL without user and password; any other text as it is.
-std::string withoutPassword(const std::string& camera);
-
 }  // namespace gyre

@@ -23,8 +23,4 @@ Result<ScanSettings> parseScanSettings(std::string_view text, const std::string&
 // would refuse it.
 Result<std::string> scanSettingsText(const ScanSettings& settings);
 
-// The address without user name, password, and the values of query fields that name one. Anything
-// that is no address comes back as it is.
-std::string withoutPassword(const std::string& address);
-
 }  // namespace gyre

@@ -9,6 +9,7 @@
 #include "core/base/clock.h"
 #include "core/base/units.h"
 #include "core/pipeline/settling.h"
+#include "core/pipeline/sharpness.h"
 
 namespace gyre {
 namespace {
@@ -75,7 +76,8 @@ Result<void> acquireMissing(Turntable& turntable, Camera& camera, ScanStore& sto
     Frame frame = **picture;
     frame.view = view;
     frame.table_angle_rad = turntable.angleRad();
-    if (const auto kept = store.addView(frame, turntable.steps()); !kept) return kept;
+    const double sharpness = sharpnessOf(frame.image_bgr);
+    if (const auto kept = store.addView(frame, turntable.steps(), sharpness); !kept) return kept;
     on_view(std::make_shared<const Frame>(std::move(frame)));
   }
   task.report(1.0, "All views are captured");

@@ -110,11 +110,5 @@ TEST(CameraMode, ReadsSizeFormatAndRate) {
   }
 }
 
-TEST(WithoutPassword, LeavesEverythingElse) {
-  EXPECT_EQ(withoutPassword("rtsp://a:b@cam/x@y"), "rtsp://cam/x@y");
-  EXPECT_EQ(withoutPassword("http://cam:80/x"), "http://cam:80/x");
-  EXPECT_EQ(withoutPassword("/dev/video0"), "/dev/video0");
-}
-
 }  // namespace
 }  // namespace gyre

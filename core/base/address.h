@@ -1,0 +1,13 @@
+// Addresses of cameras on the network, as they may be shown and stored.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace gyre {
+
+// The address without user name, password, and the values of query fields that name one. Anything
+// that is no address comes back as it is.
+std::string withoutPassword(const std::string& address);
+
+}  // namespace gyre
