@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/model_file.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/io/file_bytes.h"
+
+namespace gyre {
+namespace {
+
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{2} << 30U;
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+}  // namespace
+
+Result<Model> readMeshOrCloud(const std::filesystem::path& file) {
+  const std::string ending = lowerCase(file.extension().string());
+  if (ending != ".ply" && ending != ".obj") {
+    return Error{Error::Code::kInvalidInput,
+                 "The file \"" + file.string() + "\" does not end in .ply or .obj.",
+                 "Export the model as PLY or OBJ."};
+  }
+  const auto bytes = readFileBytes(file, kMaxBytes);
+  if (!bytes) return bytes.error();
+  return ending == ".ply" ? parsePly(*bytes, file.string()) : parseObj(*bytes, file.string());
+}
+
+Result<Mesh> readMesh(const std::filesystem::path& file) {
+  auto model = readMeshOrCloud(file);
+  if (!model) return model.error();
+  if (Mesh* mesh = std::get_if<Mesh>(&*model)) return std::move(*mesh);
+  return Error{Error::Code::kInvalidInput,
+               "The file \"" + file.string() + "\" holds points but no surface.",
+               "Make a mesh of the points first, or give a file with faces."};
+}
+
+Result<PointCloud> readPointCloud(const std::filesystem::path& file) {
+  auto model = readMeshOrCloud(file);
+  if (!model) return model.error();
+  if (PointCloud* cloud = std::get_if<PointCloud>(&*model)) return std::move(*cloud);
+  PointCloud cloud;
+  for (const MeshVertex& vertex : std::get<Mesh>(*model).vertices) {
+    Point point;
+    point.position = vertex.position;
+    point.normal = vertex.normal;
+    point.rgb = vertex.rgb;
+    point.covariance.diagonal().setConstant(vertex.sigma_mm * vertex.sigma_mm / 3.0);
+    cloud.points.push_back(std::move(point));
+  }
+  return cloud;
+}
+
+}  // namespace gyre
