@@ -1,0 +1,52 @@
+// What is to be known of a result: report.json for programs, report.html for people.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/scan/point_cloud.h"
+
+namespace gyre {
+
+// Below which sigma 5 %, 50 % and 95 % of the points lie.
+struct SigmaPercentiles {
+  double p05_mm = 0.0;
+  double p50_mm = 0.0;
+  double p95_mm = 0.0;
+};
+
+// Nothing for a cloud without points. The nearest point's own sigma, not interpolated.
+std::optional<SigmaPercentiles> sigmaPercentiles(const PointCloud& cloud);
+
+// What is unknown is left out of the page and null in the JSON.
+struct Report {
+  std::string title;
+  std::string inventory_number;
+  std::string rights;
+  std::size_t points = 0;
+  std::size_t observations = 0;
+  double rms_px = 0.0;               // reprojection error of the accepted observations
+  double median_px = 0.0;            // likewise
+  std::optional<double> closure_px;  // gap after a full turn
+  std::optional<double> closure_mm;
+  std::optional<SigmaPercentiles> sigma_mm;
+  std::map<std::string, double> seconds;        // stage -> time spent
+  std::map<std::string, std::string> versions;  // program or library -> version
+  std::map<std::string, std::string> options;   // name -> value as used
+  std::map<std::string, std::string> inputs;    // what -> file, or a fingerprint of it
+};
+
+std::string reportJson(const Report& report);
+
+// One page that loads nothing from elsewhere.
+std::string reportHtml(const Report& report);
+
+// Writes report.json and report.html in the folder, each atomically.
+Result<void> writeReport(const std::filesystem::path& folder, const Report& report);
+
+}  // namespace gyre
