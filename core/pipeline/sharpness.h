@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <opencv2/core/mat.hpp>
+#include "core/scan/frame.h"
 
 namespace gyre {
 
