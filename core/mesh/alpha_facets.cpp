@@ -49,6 +49,7 @@ void markSolid(const Delaunay& delaunay, double squared_alpha) {
 
 // Rolls the ball from infinity into every cell that it reaches without crossing the complex.
 void markOutside(const Delaunay& delaunay, double squared_alpha) {
+  for (const Cell cell : delaunay.all_cell_handles()) cell->info().outside = false;
   const Cell start = delaunay.infinite_cell();
   start->info().outside = true;
   std::vector<Cell> open = {start};
@@ -90,8 +91,8 @@ std::vector<AlphaFacet> collect(const Delaunay& delaunay, double squared_alpha) 
 
 }  // namespace
 
-Result<std::vector<AlphaFacet>> outerAlphaFacets(const std::vector<Eigen::Vector3d>& points,
-                                                 double alpha_mm) {
+Result<std::vector<std::vector<AlphaFacet>>> outerAlphaFacets(
+    const std::vector<Eigen::Vector3d>& points, std::span<const double> alphas_mm) {
   try {
     std::vector<std::pair<Kernel::Point_3, std::uint32_t>> numbered;
     numbered.reserve(points.size());
@@ -104,10 +105,14 @@ Result<std::vector<AlphaFacet>> outerAlphaFacets(const std::vector<Eigen::Vector
                    "A surface needs at least four points that do not lie in one plane.",
                    "Scan the object from more views, or with more texture on it."};
     }
-    const double squared_alpha = alpha_mm * alpha_mm;
-    markSolid(delaunay, squared_alpha);
-    markOutside(delaunay, squared_alpha);
-    return collect(delaunay, squared_alpha);
+    std::vector<std::vector<AlphaFacet>> facets;
+    for (const double alpha_mm : alphas_mm) {
+      const double squared_alpha = alpha_mm * alpha_mm;
+      markSolid(delaunay, squared_alpha);
+      markOutside(delaunay, squared_alpha);
+      facets.push_back(collect(delaunay, squared_alpha));
+    }
+    return facets;
   } catch (const std::exception& problem) {
     return Error{Error::Code::kInternal,
                  std::string("The triangulation of the points failed: ") + problem.what() + ".",

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -18,12 +19,12 @@ struct AlphaFacet {
   bool both_sides = false;  // the outside touches it from behind as well: a sheet
 };
 
-// The facets of the alpha shape (general mode) of the points for balls of radius alpha_mm, as far
-// as a ball that comes from infinity and avoids the points touches them: walls of hollows that it
-// cannot enter are left out. Points are distinct and finite. Fails with fewer than four points, or
-// when all lie in a plane.
-// Edelsbrunner and Muecke, "Three-dimensional alpha shapes" (1994).
-Result<std::vector<AlphaFacet>> outerAlphaFacets(const std::vector<Eigen::Vector3d>& points,
-                                                 double alpha_mm);
+// For each radius alpha, the facets of the alpha shape (general mode) of the points, as far as a
+// ball of that radius that comes from infinity and avoids the points touches them: walls of hollows
+// that it cannot enter are left out. One triangulation serves all radii. Points are distinct and
+// finite. Fails with fewer than four points, or when all lie in a plane. Edelsbrunner and Muecke,
+// "Three-dimensional alpha shapes" (1994).
+Result<std::vector<std::vector<AlphaFacet>>> outerAlphaFacets(
+    const std::vector<Eigen::Vector3d>& points, std::span<const double> alphas_mm);
 
 }  // namespace gyre

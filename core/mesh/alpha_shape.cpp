@@ -2,28 +2,35 @@
 #include "core/mesh/alpha_shape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include <Eigen/Geometry>
 
-#include "core/base/parallel.h"
 #include "core/mesh/alpha_facets.h"
 #include "core/mesh/components.h"
 #include "core/mesh/kd_tree.h"
-#include "core/mesh/local_surface.h"
 #include "core/mesh/manifold_selection.h"
 #include "core/mesh/point_normals.h"
+#include "core/mesh/settle_points.h"
+#include "core/mesh/small_holes.h"
 #include "core/mesh/thin_points.h"
 
 namespace gyre {
 namespace {
 
-constexpr std::size_t kFitNeighbours = 24;
+// Balls smaller than alpha come first: they follow clefts that alpha would bridge, and leave to the
+// larger ones only the gaps of sparse regions.
+constexpr std::array<double, 3> kAlphaLadder = {0.35, 0.6, 1.0};
+// Thinned to this share of the spacing, the denser half of the surface becomes even and the sparser
+// half keeps its points. Points nearer than some sigmas would make a rough sheet, not a smooth one.
 constexpr double kSpacingShare = 0.8;
-constexpr double kSpacingSigmas = 8.0;
-constexpr double kMaxMoveSigmas = 3.0;
-constexpr double kMaxMoveSpacings = 0.25;
+constexpr double kSpacingSigmas = 5.0;
+// Gaps up to this perimeter are closed: a ball of radius alpha cannot fall through them.
+constexpr double kHolePerimeterAlphas = 3.0;
+// Cosine between a facet and the normals of its corners, below which it is a wall across a gap or
+// the side of a sliver.
 constexpr double kMinAgreement = 0.2;
 
 Error tooFew() {
@@ -34,7 +41,7 @@ Error tooFew() {
 Result<void> check(const PointCloud& cloud) {
   if (cloud.points.size() < 4) return tooFew();
   for (const Point& point : cloud.points) {
-    if (!point.position.allFinite() || !point.normal.allFinite()) {
+    if (!point.position.allFinite() || !point.normal.allFinite() || !point.covariance.allFinite()) {
       return Error{Error::Code::kInvalidInput, "The cloud holds a coordinate that is not a number.",
                    "Write the points again with finite coordinates."};
     }
@@ -42,11 +49,11 @@ Result<void> check(const PointCloud& cloud) {
   return {};
 }
 
-std::vector<Eigen::Vector3d> positionsOf(const PointCloud& cloud) {
+KdTree treeOf(const PointCloud& cloud) {
   std::vector<Eigen::Vector3d> positions;
   positions.reserve(cloud.points.size());
   for (const Point& point : cloud.points) positions.push_back(point.position);
-  return positions;
+  return KdTree(std::move(positions));
 }
 
 bool lacksNormals(const PointCloud& cloud) {
@@ -60,31 +67,43 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// The point as a vertex, moved onto the surface that its neighbours suggest: along the normal, and
-// no farther than its own uncertainty explains.
-MeshVertex settledVertex(const Point& point, const KdTree& all, double spacing_mm) {
+MeshVertex vertexOf(const Point& point) {
   MeshVertex vertex;
   vertex.position = point.position;
   vertex.normal = point.normal;
   vertex.rgb = point.rgb;
   vertex.sigma_mm = static_cast<float>(point.sigmaMm());
   vertex.views = static_cast<std::uint16_t>(std::min<std::size_t>(point.views.size(), 65535));
-  const auto neighbours = all.nearest(point.position, kFitNeighbours);
-  const auto surface = fitLocalSurface(all, point.position, neighbours);
-  if (!surface) return vertex;
-  const double sigma_mm = point.sigmaMm();
-  double limit_mm = kMaxMoveSpacings * spacing_mm;
-  if (sigma_mm > 0.0) limit_mm = std::min(limit_mm, kMaxMoveSigmas * sigma_mm);
-  const Eigen::Vector3d move = surface->foot - point.position;
-  const double length_mm = move.norm();
-  if (length_mm > 0.0) vertex.position += move * std::min(1.0, limit_mm / length_mm);
   return vertex;
 }
 
+// Makes the settled points even; sets the spacing and the vertices of the shape.
+Result<void> placeVertices(const PointCloud& cloud, double wanted_spacing_mm,
+                           AlphaShapeMesh& shape) {
+  if (cloud.points.size() < 4) return tooFew();
+  const KdTree tree = treeOf(cloud);
+  std::vector<double> sigma_mm;
+  std::vector<Eigen::Vector3d> normals;
+  for (const Point& point : cloud.points) {
+    sigma_mm.push_back(point.sigmaMm());
+    normals.push_back(point.normal);
+  }
+  shape.spacing_mm = wanted_spacing_mm;
+  if (shape.spacing_mm == 0.0) {
+    shape.spacing_mm = std::max(kSpacingShare * spacingQuantile(localSpacing(tree), 0.5),
+                                kSpacingSigmas * median(sigma_mm));
+  }
+  if (!(shape.spacing_mm > 0.0)) return tooFew();
+  for (const std::uint32_t kept : thinPoints(tree, {sigma_mm, normals}, shape.spacing_mm)) {
+    shape.mesh.vertices.push_back(vertexOf(cloud.points[kept]));
+  }
+  return {};
+}
+
 // Facets whose outer side is the one that their corners' normals look to.
-std::vector<TriangleCandidate> outwardFacets(const std::vector<AlphaFacet>& facets,
-                                             const std::vector<MeshVertex>& vertices) {
-  std::vector<TriangleCandidate> candidates;
+void addOutwardFacets(const std::vector<AlphaFacet>& facets, int level,
+                      const std::vector<MeshVertex>& vertices,
+                      std::vector<TriangleCandidate>& candidates) {
   for (const AlphaFacet& facet : facets) {
     const auto& [a, b, c] = facet.corners;
     const Eigen::Vector3d ab = vertices[b].position - vertices[a].position;
@@ -92,12 +111,28 @@ std::vector<TriangleCandidate> outwardFacets(const std::vector<AlphaFacet>& face
     const Eigen::Vector3d normals = vertices[a].normal + vertices[b].normal + vertices[c].normal;
     const double agreement = ab.cross(ac).stableNormalized().dot(normals) / 3.0;
     if (agreement > kMinAgreement) {
-      candidates.push_back({facet.corners, facet.radius_mm});
+      candidates.push_back({facet.corners, level, facet.radius_mm});
     } else if (facet.both_sides && agreement < -kMinAgreement) {
-      candidates.push_back({{a, c, b}, facet.radius_mm});
+      candidates.push_back({{a, c, b}, level, facet.radius_mm});
     }
   }
-  return candidates;
+}
+
+// Spans the vertices of the shape with triangles.
+Result<void> placeTriangles(AlphaShapeMesh& shape) {
+  std::vector<Eigen::Vector3d> places;
+  for (const MeshVertex& vertex : shape.mesh.vertices) places.push_back(vertex.position);
+  std::vector<double> alphas_mm;
+  for (const double step : kAlphaLadder) alphas_mm.push_back(step * shape.alpha_mm);
+  const auto facets = outerAlphaFacets(places, alphas_mm);
+  if (!facets) return facets.error();
+  std::vector<TriangleCandidate> candidates;
+  for (std::size_t level = 0; level < facets->size(); ++level) {
+    addOutwardFacets((*facets)[level], static_cast<int>(level), shape.mesh.vertices, candidates);
+  }
+  shape.mesh.triangles = selectManifold(std::move(candidates));
+  closeSmallHoles(shape.mesh, {.max_perimeter_mm = kHolePerimeterAlphas * shape.alpha_mm});
+  return {};
 }
 
 }  // namespace
@@ -114,46 +149,27 @@ Result<AlphaShapeMesh> alphaShapeMesh(const PointCloud& cloud, const AlphaShapeO
     return alphaShapeMesh(with_normals, options, task.part(0.2, 1.0));
   }
 
-  task.report(0.0, "Thinning the points");
-  const KdTree all(positionsOf(cloud));
-  std::vector<double> sigma_mm(cloud.points.size());
-  std::transform(cloud.points.begin(), cloud.points.end(), sigma_mm.begin(),
-                 [](const Point& point) { return point.sigmaMm(); });
+  task.report(0.0, "Smoothing the points");
+  const Result<PointCloud> settled = settlePoints(cloud, treeOf(cloud), task);
+  if (!settled) return settled.error();
+
   AlphaShapeMesh shape;
-  shape.spacing_mm = options.spacing_mm;
-  if (shape.spacing_mm == 0.0) {
-    shape.spacing_mm = std::max(kSpacingShare * spacingQuantile(localSpacing(all), 0.5),
-                                kSpacingSigmas * median(sigma_mm));
-  }
-  if (!(shape.spacing_mm > 0.0)) return tooFew();
-  const std::vector<std::uint32_t> kept = thinPoints(all, sigma_mm, shape.spacing_mm);
+  const Result<void> thinned = placeVertices(*settled, options.spacing_mm, shape);
+  if (!thinned) return thinned.error();
   shape.alpha_mm =
       options.alpha_mm > 0.0 ? options.alpha_mm : options.alpha_spacings * shape.spacing_mm;
-
-  task.report(0.2, "Smoothing the points");
-  shape.mesh.vertices.resize(kept.size());
-  parallelFor(kept.size(), 128, [&](std::size_t begin, std::size_t end) {
-    if (task.stopRequested()) return;
-    for (std::size_t i = begin; i < end; ++i) {
-      shape.mesh.vertices[i] = settledVertex(cloud.points[kept[i]], all, shape.spacing_mm);
-    }
-  });
   if (task.stopRequested()) return cancelled();
 
   task.report(0.5, "Building the surface");
-  std::vector<Eigen::Vector3d> places;
-  for (const MeshVertex& vertex : shape.mesh.vertices) places.push_back(vertex.position);
-  const auto facets = outerAlphaFacets(places, shape.alpha_mm);
-  if (!facets) return facets.error();
-  if (task.stopRequested()) return cancelled();
-  shape.mesh.triangles = selectManifold(outwardFacets(*facets, shape.mesh.vertices));
+  const Result<void> spanned = placeTriangles(shape);
+  if (!spanned) return spanned.error();
   removeSmallComponents(shape.mesh, options.min_component_share);
-  removeUnusedVertices(shape.mesh);
   if (shape.mesh.triangles.empty()) {
     return Error{Error::Code::kTooFew, "The points lie too far apart to make a surface.",
                  "Choose a larger alpha, or scan the object with more texture on it."};
   }
   computeNormals(shape.mesh);
+  if (task.stopRequested()) return cancelled();
   task.report(1.0, "Surface made");
   return shape;
 }

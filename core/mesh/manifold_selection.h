@@ -10,12 +10,14 @@ namespace gyre {
 
 struct TriangleCandidate {
   Triangle corners{};  // counter-clockwise from outside
-  double cost = 0.0;   // the least is preferred
+  int level = 0;       // all of a lower level come before any of a higher one
+  double cost = 0.0;   // within a level the least is preferred
 };
 
-// Takes the candidates in the order of their cost, each if no triangle taken before runs along one
-// of its edges in the same direction. So every edge ends with at most two triangles, and these
-// agree on which side is outside. Candidates that already make such a surface are all taken.
+// Takes the candidates by level and cost, each if no triangle taken before runs along one of its
+// edges in the same direction, and none of its corners is already surrounded by triangles. So every
+// edge ends with at most two triangles, which agree on which side is outside, and higher levels
+// fill the gaps of the lower ones without covering them. A candidate given twice is taken once.
 std::vector<Triangle> selectManifold(std::vector<TriangleCandidate> candidates);
 
 }  // namespace gyre

@@ -11,7 +11,7 @@ struct AlphaShapeOptions {
   // the points decide. [mm], 0..1000; larger closes holes, smaller opens clefts and handles.
   double alpha_mm = 0.0;
   // Alpha as a multiple of the points' even spacing, used when alpha_mm is 0. 1..20
-  double alpha_spacings = 3.0;
+  double alpha_spacings = 5.0;
   // Points nearer together than this are thinned; 0 lets spacing and noise decide. [mm], 0..1000
   double spacing_mm = 0.0;
   // Components with less than this share of the largest one's area are left out. 0..1

@@ -18,6 +18,12 @@ namespace {
 
 using Normals = std::vector<Eigen::Vector3d>;
 
+// Of the angle between two directions of any length; 1 when one of them is unknown.
+double cosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const double lengths = a.norm() * b.norm();
+  return lengths > 0.0 ? a.dot(b) / lengths : 1.0;
+}
+
 Eigen::Vector3d meanOf(const KdTree& points) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::uint32_t i = 0; i < points.size(); ++i) sum += points.point(i);
@@ -113,7 +119,13 @@ Result<void> setPointNormals(PointCloud& cloud, std::span<const Eigen::Vector3d>
     if (task.stopRequested()) return;
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d& place = cloud.points[i].position;
-      const auto neighbours = points.nearest(place, options.neighbours);
+      auto neighbours = points.nearest(place, options.neighbours);
+      if (!towards_camera.empty()) {
+        std::erase_if(neighbours, [&](const KdTree::Neighbour& neighbour) {
+          return cosine(towards_camera[i], towards_camera[neighbour.index]) <
+                 options.min_shared_view;
+        });
+      }
       const auto surface = fitLocalSurface(points, place, neighbours);
       known[i] = !surface;
       if (!surface) continue;

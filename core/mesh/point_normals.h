@@ -19,6 +19,9 @@ struct PointNormalOptions {
   // Where the surface is met more obliquely than this cosine, on average over the cameras that saw
   // it, its side is taken from its neighbours instead. [0, 1)
   double min_facing = 0.1;
+  // Neighbours that were seen from another side, by less than this cosine between the directions to
+  // the cameras, do not decide the normal: they lie on the far side of a thin wall. [-1, 1)
+  double min_shared_view = 0.3;
 };
 
 // Sets the normal of every point, unit length in the table frame, from a quadric through its

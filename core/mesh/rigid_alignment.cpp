@@ -14,7 +14,7 @@
 namespace gyre {
 namespace {
 
-constexpr std::size_t kSamples = 8000;  // far more than six unknowns need, and fast
+constexpr std::size_t kSamples = 5000;  // far more than six unknowns need, and fast
 constexpr int kMaxRounds = 100;
 constexpr double kKeptShare = 0.9;
 constexpr double kConverged = 1e-7;  // of the reference's size: the last step, in mm and in rad*mm

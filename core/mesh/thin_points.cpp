@@ -43,21 +43,21 @@ double spacingQuantile(std::span<const double> spacing_mm, double q) {
   return ascending.empty() ? 0.0 : ascending.back();
 }
 
-std::vector<std::uint32_t> thinPoints(const KdTree& points, std::span<const double> cost,
+std::vector<std::uint32_t> thinPoints(const KdTree& points, const ThinningInput& input,
                                       double radius_mm) {
-  GYRE_CHECK(cost.size() == points.size());
+  GYRE_CHECK(input.cost.size() == points.size() && input.normals.size() == points.size());
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return cost[a] < cost[b]; });
+                   [&](std::uint32_t a, std::uint32_t b) { return input.cost[a] < input.cost[b]; });
   std::vector<char> covered(points.size(), 0);
   std::vector<std::uint32_t> kept;
   for (const std::uint32_t candidate : order) {
     if (covered[candidate]) continue;
     kept.push_back(candidate);
-    covered[candidate] = 1;
-    for (const auto& neighbour : points.within(points.point(candidate), radius_mm)) {
-      covered[neighbour.index] = 1;
+    const Eigen::Vector3d& normal = input.normals[candidate];
+    for (const auto& [index, squared_mm2] : points.within(points.point(candidate), radius_mm)) {
+      if (squared_mm2 == 0.0 || normal.dot(input.normals[index]) >= 0.0) covered[index] = 1;
     }
   }
   std::sort(kept.begin(), kept.end());

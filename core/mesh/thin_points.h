@@ -18,9 +18,16 @@ std::vector<double> localSpacing(const KdTree& points);
 // much area, so each point counts with its own square. [mm]; 0 without points
 double spacingQuantile(std::span<const double> spacing_mm, double q);
 
-// Indices of points no two of which are nearer than radius_mm, and near enough to every other point
-// (Poisson disc), ascending. Taken in the order of `cost`, the least first, then of index.
-std::vector<std::uint32_t> thinPoints(const KdTree& points, std::span<const double> cost,
+// What decides which points stay: one entry for each point.
+struct ThinningInput {
+  std::span<const double> cost;              // the least stays, then the lower index
+  std::span<const Eigen::Vector3d> normals;  // unit, outward
+};
+
+// Indices, ascending, of points no two of which lie nearer than radius_mm on the same side of the
+// object, and that leave no other point of their side farther away (Poisson disc). Points whose
+// normals are more than a right angle apart lie on different sides, those of a thin wall.
+std::vector<std::uint32_t> thinPoints(const KdTree& points, const ThinningInput& input,
                                       double radius_mm);
 
 }  // namespace gyre

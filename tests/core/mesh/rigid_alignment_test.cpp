@@ -9,7 +9,7 @@ namespace gyre {
 namespace {
 
 Mesh waves() {
-  return test::gridMesh(61, 61, [](double u, double v) {
+  return test::gridMesh(41, 41, [](double u, double v) {
     return Eigen::Vector3d(20 * u, 30 * v, 6 * std::sin(5 * u) * std::cos(4 * v));
   });
 }

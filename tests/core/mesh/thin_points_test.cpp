@@ -36,7 +36,8 @@ TEST(SpacingQuantile, WeighsByArea) {
 TEST(ThinPoints, KeepsADistanceAndCoversTheRest) {
   const KdTree points = plane(40, 0.25);
   const std::vector<double> cost(points.size(), 1.0);
-  const auto kept = thinPoints(points, cost, 1.0);
+  const std::vector<Eigen::Vector3d> normals(points.size(), Eigen::Vector3d::UnitZ());
+  const auto kept = thinPoints(points, {cost, normals}, 1.0);
   std::vector<Eigen::Vector3d> kept_points;
   for (const std::uint32_t i : kept) kept_points.push_back(points.point(i));
   const KdTree tree(kept_points);
@@ -50,8 +51,18 @@ TEST(ThinPoints, KeepsADistanceAndCoversTheRest) {
 
 TEST(ThinPoints, PrefersTheBetterPoint) {
   const KdTree pair({{0, 0, 0}, {0.1, 0, 0}});
-  EXPECT_EQ(thinPoints(pair, std::vector<double>{0.5, 0.2}, 1.0), std::vector<std::uint32_t>{1});
+  const std::vector<double> cost = {0.5, 0.2};
+  const std::vector<Eigen::Vector3d> normals(2, Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(thinPoints(pair, {cost, normals}, 1.0), std::vector<std::uint32_t>{1});
   EXPECT_TRUE(thinPoints(KdTree({}), {}, 1.0).empty());
+}
+
+TEST(ThinPoints, KeepsBothSidesOfAThinWall) {
+  const KdTree pair({{0, 0, 0}, {0, 0, 0.1}, {0, 0, 0.1}});
+  const std::vector<double> cost(3, 0.0);
+  const std::vector<Eigen::Vector3d> normals = {-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(),
+                                                -Eigen::Vector3d::UnitZ()};
+  EXPECT_EQ(thinPoints(pair, {cost, normals}, 1.0), (std::vector<std::uint32_t>{0, 1}));
 }
 
 }  // namespace
