@@ -41,7 +41,7 @@ void sampleBlock(const SignedDistance& distance, const Eigen::Array3i& from, Lat
       lattice.at(from) + Eigen::Vector3d::Constant(0.5 * (kSide - 1) * lattice.cell_mm);
   const double reach = std::sqrt(3.0) * 0.5 * (kSide + 1) * lattice.cell_mm;
   const double there = distance(centre);
-  const bool far = std::abs(there) > 2.0 * reach;
+  const bool far = there > kMostStretchOutside * reach || there < -kMostStretchInside * reach;
   for (int z = from.z(); z < to.z(); ++z) {
     for (int y = from.y(); y < to.y(); ++y) {
       for (int x = from.x(); x < to.x(); ++x) {

@@ -10,7 +10,10 @@
 
 namespace gyre {
 
-// Negative inside, positive outside; its slope is about 1 (at most 2) everywhere.
+// Negative inside, positive outside, with a slope of about 1 at the surface. Elsewhere it may
+// exceed the true distance to the surface, as blended ellipsoids do, by these factors at most.
+inline constexpr double kMostStretchOutside = 2.0;
+inline constexpr double kMostStretchInside = 5.0;
 using SignedDistance = std::function<double(const Eigen::Vector3d&)>;
 
 // The closed surface inside the box, oriented outward, with vertices about cell_mm apart that lie

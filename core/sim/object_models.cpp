@@ -55,10 +55,8 @@ Vector3f duckPaint(const Vector3d& p) {
   return {1.0F, 0.82F, 0.16F};
 }
 
-constexpr double kEarThickness = 2.6;
-
 double mouseEar(const Vector3d& p) {
-  return ellipsoid(mirrored(p), {15.0, 11.5, 31.0}, {kEarThickness, 9.0, 9.5});
+  return ellipsoid(mirrored(p), {14.0, 14.0, 33.0}, {2.6, 11.0, 11.5});
 }
 
 double mouseTail(const Vector3d& p) {
@@ -75,9 +73,9 @@ double mouse(const Vector3d& p) {
   double body = ellipsoid(p, {-8.0, 0.0, 15.0}, {25.0, 18.5, 18.5});
   body = blend(body, rod(p, {{14.0, 0.0, 17.0}, {35.0, 0.0, 10.5}, 12.5, 4.2}), 9.0);
   body = blend(body, sphere(p, {38.2, 0.0, 10.6}, 3.0), 1.0);
-  body = blend(body, mouseEar(p), 2.5);
+  body = blend(body, mouseEar(p), 4.0);
   body = blend(body, mouseTail(p), 4.0);
-  body = blend(body, ellipsoid(q, {21.0, 8.5, 3.0}, {7.0, 4.0, 3.6}), 3.0);
+  body = blend(body, ellipsoid(q, {22.0, 9.5, 3.0}, {7.0, 4.2, 4.0}), 5.0);
   return standing(body, p);
 }
 
@@ -86,23 +84,35 @@ Vector3f mousePaint(const Vector3d& p) {
   if (sphere(q, {27.5, 6.8, 18.5}, 2.5) < 0.0) return {0.04F, 0.04F, 0.05F};
   if (sphere(p, {38.6, 0.0, 10.6}, 3.1) < 0.0) return {0.9F, 0.35F, 0.4F};
   const bool in_front_of_ear =
-      p.x() > 15.2 && ellipsoid(q, {16.0, 11.5, 31.5}, {4.0, 6.5, 7.0}) < 0.0;
+      p.x() > 14.6 && ellipsoid(q, {15.0, 14.5, 34.0}, {5.0, 8.0, 8.5}) < 0.0;
   if (in_front_of_ear || mouseTail(p) < 0.4) return {0.95F, 0.62F, 0.6F};
   return {0.68F, 0.62F, 0.58F};
 }
 
-// Outer radius of the vase at a height: foot, belly, neck, flared lip.
-double vaseRadius(double z) {
-  const auto bump = [z](double centre, double width) {
+// The vase's outer radius at a height, and how it grows with the height.
+struct Profile {
+  double radius;
+  double slope;
+};
+
+// Foot, belly, neck and flared lip: a cylinder with Gaussian rings.
+Profile vaseProfile(double z) {
+  Profile profile{10.0, 0.0};
+  const auto addRing = [&](double height, double centre, double width) {
     const double t = (z - centre) / width;
-    return std::exp(-t * t);
+    const double ring = height * std::exp(-t * t);
+    profile.radius += ring;
+    profile.slope -= 2.0 * t / width * ring;
   };
-  return 10.0 + 12.5 * bump(24.0, 15.0) + 5.0 * bump(-2.0, 6.0) + 6.0 * bump(70.0, 9.0);
+  addRing(12.5, 24.0, 15.0);
+  addRing(5.0, -2.0, 6.0);
+  addRing(6.0, 70.0, 9.0);
+  return profile;
 }
 
 double vaseWall(const Vector3d& p, double inset) {
-  const double slope = (vaseRadius(p.z() + 0.01) - vaseRadius(p.z() - 0.01)) / 0.02;
-  return (p.head<2>().norm() - (vaseRadius(p.z()) - inset)) / std::sqrt(1.0 + slope * slope);
+  const auto [radius, slope] = vaseProfile(p.z());
+  return (p.head<2>().norm() - (radius - inset)) / std::sqrt(1.0 + slope * slope);
 }
 
 double vaseHandle(const Vector3d& p) {
@@ -122,7 +132,7 @@ double vase(const Vector3d& p) {
 }
 
 Vector3f vasePaint(const Vector3d& p) {
-  if (p.head<2>().norm() < vaseRadius(p.z()) - 2.0) return {0.72F, 0.62F, 0.5F};
+  if (p.head<2>().norm() < vaseProfile(p.z()).radius - 2.0) return {0.72F, 0.62F, 0.5F};
   if (std::abs(p.z() - 40.0) < 2.2 || std::abs(p.z() - 9.5) < 1.6) return {0.95F, 0.9F, 0.75F};
   if (vaseHandle(p) < 0.5) return {0.86F, 0.42F, 0.25F};
   return {0.25F, 0.5F, 0.75F};
@@ -180,7 +190,7 @@ const std::vector<std::string>& objectNames() {
 
 ObjectModel objectModel(const std::string& name) {
   if (name == "duck") return make(duck, boxOf({-40, -26, 0}, {41, 26, 60}), duckPaint, 1.0);
-  if (name == "mouse") return make(mouse, boxOf({-46, -24, 0}, {44, 36, 44}), mousePaint, 1.0);
+  if (name == "mouse") return make(mouse, boxOf({-46, -28, 0}, {44, 36, 48}), mousePaint, 1.0);
   if (name == "vase") return make(vase, boxOf({-28, -28, 0}, {36, 28, 72}), vasePaint, 1.0);
   if (name == "bowl") return make(bowl, boxOf({-45, -45, 0}, {45, 45, 40}), bowlPaint, 1.0);
   if (name == "cube") return make({}, boxOf({-0.5, -0.5, 0}, {0.5, 0.5, 1}), cubePaint, 1.0);
