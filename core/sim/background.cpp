@@ -47,6 +47,7 @@ Background::Background(const RigSettings& rig)
 }
 
 void Background::meetBox(const Box& box, const Ray& ray, Hit& nearest) {
+  if (distanceToLine(ray, box.centre) > box.half.norm()) return;
   // In the box's own frame it is the product of three slabs.
   const Eigen::Vector3d origin = box.box_from_base * (ray.origin - box.centre);
   const Eigen::Vector3d direction = box.box_from_base * ray.direction;
