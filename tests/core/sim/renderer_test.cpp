@@ -15,6 +15,22 @@ using Surface = TruePixel::Surface;
 
 RigSettings smallRig() { return atImageWidth({}, 320); }
 
+// The renderer of the default rig at small size, built once for all tests that need no other.
+const Renderer& smallRenderer() {
+  static const Renderer kRenderer(smallRig());
+  return kRenderer;
+}
+
+// The same without noise and flicker: what changes, changes for a reason.
+const Renderer& quietRenderer() {
+  static const Renderer kRenderer([] {
+    RigSettings rig = smallRig();
+    rig.noise_sigma = rig.background_flicker = 0.0;
+    return rig;
+  }());
+  return kRenderer;
+}
+
 std::size_t pixelAt(const RigSettings& rig, const Eigen::Vector2d& uv) {
   return static_cast<std::size_t>(std::lround(uv.y())) *
              static_cast<std::size_t>(rig.image_width_px) +
@@ -54,7 +70,7 @@ TEST(Renderer, EveryTruePixelProjectsOntoItself) {
 
 TEST(Renderer, VerticesInFrontAreFoundAtTheirPixels) {
   const RigSettings rig = smallRig();
-  const Renderer renderer(rig);
+  const Renderer& renderer = smallRenderer();
   const Calibration truth = trueCalibration(rig);
   const Rigid3 cam_from_table = camFromTable(*truth.cam_from_table, trueAngleRad(rig, 900));
   const Eigen::Vector3d camera_in_table = cam_from_table.inverse().translation;
@@ -80,7 +96,7 @@ TEST(Renderer, VerticesInFrontAreFoundAtTheirPixels) {
 }
 
 TEST(Renderer, SameArgumentsGiveTheSamePictureOnAnyNumberOfThreads) {
-  const Frame many = Renderer(smallRig()).render(123, TableLoad::kObject);
+  const Frame many = smallRenderer().render(123, TableLoad::kObject);
   const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
   const Frame single = Renderer(smallRig()).render(123, TableLoad::kObject);
   EXPECT_TRUE(samePictures(many, single));
@@ -89,14 +105,12 @@ TEST(Renderer, SameArgumentsGiveTheSamePictureOnAnyNumberOfThreads) {
 TEST(Renderer, SeedChangesThePicture) {
   RigSettings other = smallRig();
   other.seed = 9;
-  EXPECT_FALSE(samePictures(Renderer(smallRig()).render(0, TableLoad::kEmpty),
+  EXPECT_FALSE(samePictures(smallRenderer().render(0, TableLoad::kEmpty),
                             Renderer(other).render(0, TableLoad::kEmpty)));
 }
 
 TEST(Renderer, PlatterTurnsAndBackgroundStandsStill) {
-  RigSettings rig = smallRig();
-  rig.noise_sigma = rig.background_flicker = 0.0;
-  const Renderer renderer(rig);
+  const Renderer& renderer = quietRenderer();
   const Frame before = renderer.render(0, TableLoad::kEmpty);
   const Frame after = renderer.render(700, TableLoad::kEmpty);
   const auto pixels = renderer.truePixels(0, TableLoad::kEmpty);
@@ -127,9 +141,8 @@ TEST(Renderer, PlatterTurnsAndBackgroundStandsStill) {
 }
 
 TEST(Renderer, PlatterTextureMovesAsTheTableTurns) {
-  RigSettings rig = smallRig();
-  rig.noise_sigma = 0.0;
-  const Renderer renderer(rig);
+  const Renderer& renderer = quietRenderer();
+  const RigSettings& rig = renderer.rig();
   const Calibration truth = trueCalibration(rig);
   const Frame first = renderer.render(0, TableLoad::kEmpty);
   const Frame second = renderer.render(160, TableLoad::kEmpty);
@@ -164,12 +177,10 @@ TEST(Renderer, BackgroundFlickers) {
 TEST(Renderer, GlossHighlightsAddLight) {
   RigSettings glossy = smallRig();
   glossy.material = "glossy";
-  glossy.noise_sigma = 0.0;
-  RigSettings matte = glossy;
-  matte.material = "matte";
+  glossy.noise_sigma = glossy.background_flicker = 0.0;
   const Renderer shining(glossy);
   const Frame with = shining.render(0, TableLoad::kObject);
-  const Frame without = Renderer(matte).render(0, TableLoad::kObject);
+  const Frame without = quietRenderer().render(0, TableLoad::kObject);
   const auto pixels = shining.truePixels(0, TableLoad::kObject);
   int brighter = 0;
   int darker = 0;
@@ -182,8 +193,7 @@ TEST(Renderer, GlossHighlightsAddLight) {
 }
 
 TEST(Renderer, EmptyTableShowsNoObject) {
-  const Renderer renderer(smallRig());
-  for (const TruePixel& pixel : renderer.truePixels(0, TableLoad::kEmpty)) {
+  for (const TruePixel& pixel : smallRenderer().truePixels(0, TableLoad::kEmpty)) {
     ASSERT_NE(pixel.surface, Surface::kObject);
   }
 }
