@@ -16,6 +16,7 @@ struct TurntableOptions {
   double speed_deg_per_s = 20.0;  // objects that can topple or slip want less
   double approach_deg = 2.0;      // how far a backward move goes past its target and returns
   double steps_per_turn = 0.0;    // as measured; 0 = as the firmware's settings say
+  double greeting_s = 3.0;        // how long a board may take to start after its port is opened
   std::string device_id;          // stable name for reports; empty = the port's name
 
   template <class V>
@@ -33,6 +34,8 @@ struct TurntableOptions {
           approach_deg);
     visit({"steps-per-turn", "", 0, 1e8, "Motor steps of one turn; 0 takes the firmware's word."},
           steps_per_turn);
+    visit({"greeting", "s", 0.1, 30, "How long a board may take to start; longer for slow ones."},
+          greeting_s);
   }
 
   Result<void> validate() const {

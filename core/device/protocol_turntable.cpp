@@ -40,7 +40,7 @@ Result<std::unique_ptr<ProtocolTurntable>> ProtocolTurntable::open(std::unique_p
   if (const Result<void> valid = options.validate(); !valid) return valid.error();
   std::unique_ptr<ProtocolTurntable> table(new ProtocolTurntable(std::move(port), options));
   const Interrupted interrupted = [&] { return task.stopRequested(); };
-  const Result<GrblBoardInfo> board = identifyGrbl(table->link_, interrupted);
+  const Result<GrblBoardInfo> board = identifyGrbl(table->link_, options.greeting_s, interrupted);
   if (!board) return board.error();
   if (const Result<void> adopted = table->adopt(*board); !adopted) return adopted.error();
   const Result<GrblStatus> status = table->link_.status(kReply_s, interrupted);

@@ -31,7 +31,8 @@ class Turntable {
   // Slows down and stops; returns at once. Motion that was asked for before never goes on.
   virtual void stop() noexcept = 0;
 
-  // Lets go of the motor, so that it cools and can be turned by hand.
+  // Lets go of the motor, so that it cools and can be turned by hand. The angle is then unknown:
+  // moveTo() refuses until setAngle().
   virtual Result<void> release() = 0;
 
   virtual TurntableInfo info() const = 0;

@@ -11,8 +11,6 @@
 namespace gyre {
 namespace {
 
-constexpr double kGreeting_s = 3.0;
-constexpr double kResetGreeting_s = 2.0;
 constexpr double kStatus_s = 0.6;
 constexpr double kQuery_s = 1.0;
 constexpr double kSlice_s = 0.02;
@@ -47,8 +45,8 @@ Error nobody(const GrblLink& link) {
 }
 
 // Asks until a banner is heard.
-Result<std::string> greet(GrblLink& link, const Interrupted& interrupted) {
-  Result<std::optional<std::string>> banner = awaitBanner(link, kGreeting_s, interrupted);
+Result<std::string> greet(GrblLink& link, double greeting_s, const Interrupted& interrupted) {
+  Result<std::optional<std::string>> banner = awaitBanner(link, greeting_s, interrupted);
   if (!banner) return banner.error();
   if (*banner) return **std::move(banner);
   const Result<GrblStatus> status = link.status(kStatus_s, interrupted);
@@ -64,7 +62,7 @@ Result<std::string> greet(GrblLink& link, const Interrupted& interrupted) {
   if (const Result<void> sent = link.send(std::string_view(&kGrblSoftReset, 1)); !sent) {
     return sent.error();
   }
-  banner = awaitBanner(link, kResetGreeting_s, interrupted);
+  banner = awaitBanner(link, greeting_s, interrupted);
   if (!banner) return banner.error();
   if (*banner) return **std::move(banner);
   return nobody(link);
@@ -124,8 +122,9 @@ Result<std::map<int, double>> readSettings(GrblLink& link, const Interrupted& in
 
 }  // namespace
 
-Result<GrblBoardInfo> identifyGrbl(GrblLink& link, const Interrupted& interrupted) {
-  const Result<std::string> banner = greet(link, interrupted);
+Result<GrblBoardInfo> identifyGrbl(GrblLink& link, double greeting_s,
+                                   const Interrupted& interrupted) {
+  const Result<std::string> banner = greet(link, greeting_s, interrupted);
   if (!banner) return banner.error();
   if (const Result<void> quiet = link.drain(); !quiet) return quiet.error();
   link.forgiveTrouble();

@@ -15,9 +15,11 @@ struct GrblBoardInfo {
   std::map<int, double> settings;  // $N, as read twice with the same result
 };
 
-// Waits up to 3 s for the greeting of a board that restarts when its port is opened, then asks: ?
-// first, since a board that moves belongs to somebody else (kBusy), then a soft reset. Then $I, $$.
-// kWrongDevice when something else answers, or a GRBL older than 1.1; kTimeout when nothing does.
-Result<GrblBoardInfo> identifyGrbl(GrblLink& link, const Interrupted& interrupted);
+// Waits up to greeting_s for the greeting of a board that restarts when its port is opened, then
+// asks: ? first, since a board that moves belongs to somebody else (kBusy), then a soft reset. Then
+// $I, $$. kWrongDevice when something else answers, or a GRBL older than 1.1; kTimeout when nothing
+// does.
+Result<GrblBoardInfo> identifyGrbl(GrblLink& link, double greeting_s,
+                                   const Interrupted& interrupted);
 
 }  // namespace gyre

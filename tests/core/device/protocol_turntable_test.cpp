@@ -26,6 +26,25 @@ using Code = Error::Code;
 
 void sleepMilliseconds(int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
 
+// Writes down what is sent.
+class RecordingPort final : public BytePort {
+ public:
+  RecordingPort(std::unique_ptr<BytePort> port, std::string& sent)
+      : port_(std::move(port)), sent_(sent) {}
+  Result<std::size_t> read(std::span<std::byte> buffer, double timeout_s) override {
+    return port_->read(buffer, timeout_s);
+  }
+  Result<void> write(std::span<const std::byte> bytes, double timeout_s) override {
+    for (const std::byte byte : bytes) sent_ += static_cast<char>(byte);
+    return port_->write(bytes, timeout_s);
+  }
+  std::string name() const override { return port_->name(); }
+
+ private:
+  std::unique_ptr<BytePort> port_;
+  std::string& sent_;
+};
+
 // A table 20 times as fast as a real one.
 class ProtocolTurntableTest : public testing::Test {
  protected:
@@ -85,17 +104,18 @@ TEST_F(ProtocolTurntableTest, CarriesTheRemainderOfAStep) {
 }
 
 TEST_F(ProtocolTurntableTest, BackwardMovesPassTheirTargetAndReturn) {
-  const auto table = open();
-  ASSERT_TRUE(table->moveTo(radFromDeg(45.0), Task()));
-  std::int64_t least = 400;
-  std::jthread watcher([&](const std::stop_token& stop) {
-    while (!stop.stop_requested()) least = std::min(least, shaft_->steps());
-  });
-  ASSERT_TRUE(table->moveTo(radFromDeg(22.5), Task()));
-  watcher.request_stop();
-  watcher.join();
+  std::string sent;
+  auto port = std::make_unique<RecordingPort>(firmware_.openPort(), sent);
+  const auto table = ProtocolTurntable::open(std::move(port), {}, Task());
+  ASSERT_TRUE(table) << table.error().sentence();
+  ASSERT_TRUE((*table)->moveTo(radFromDeg(45.0), Task()));
+  sent.clear();
+  ASSERT_TRUE((*table)->moveTo(radFromDeg(22.5), Task()));
   EXPECT_EQ(shaft_->steps(), 200);
-  EXPECT_NEAR(static_cast<double>(least), 200.0 - 2.0 / 360.0 * 3200.0, 2.0);
+  // 182 steps, then 200, of 8.889 a degree.
+  const std::size_t past = sent.find("G1X20.4747");
+  ASSERT_NE(past, std::string::npos) << sent;
+  EXPECT_NE(sent.find("G1X22.4997", past), std::string::npos) << sent;
 }
 
 TEST_F(ProtocolTurntableTest, DirectionTurnsTheOtherWay) {
@@ -288,7 +308,9 @@ class Stranger {
 TEST(ProtocolTurntableStrangers, SilenceEndsInATimeout) {
   Stranger stranger("");
   const double begin_s = steadySeconds();
-  const auto table = ProtocolTurntable::open(stranger.takePort(), {}, Task());
+  TurntableOptions impatient;
+  impatient.greeting_s = 0.1;
+  const auto table = ProtocolTurntable::open(stranger.takePort(), impatient, Task());
   ASSERT_FALSE(table);
   EXPECT_EQ(table.error().code, Code::kTimeout);
   EXPECT_LT(steadySeconds() - begin_s, 8.0);
@@ -296,7 +318,9 @@ TEST(ProtocolTurntableStrangers, SilenceEndsInATimeout) {
 
 TEST(ProtocolTurntableStrangers, ForeignFirmwareIsNamed) {
   Stranger stranger("echo:Marlin 2.1\n");
-  const auto table = ProtocolTurntable::open(stranger.takePort(), {}, Task());
+  TurntableOptions impatient;
+  impatient.greeting_s = 0.1;
+  const auto table = ProtocolTurntable::open(stranger.takePort(), impatient, Task());
   ASSERT_FALSE(table);
   EXPECT_EQ(table.error().code, Code::kWrongDevice);
   EXPECT_THAT(table.error().what, HasSubstr("Marlin"));
