@@ -11,7 +11,7 @@ namespace gyre {
 namespace {
 
 constexpr std::size_t kQuantiles = 4096;  // 12 bits: five noise values from one random word
-constexpr std::size_t kRowsAtOnce = 16;
+constexpr std::size_t kRowsAtOnce = 48;   // few rows are blurred twice, at the seams
 
 std::vector<float> gaussianKernel(double sigma) {
   const int reach = sigma > 0.05 ? static_cast<int>(std::ceil(3.5 * sigma)) : 0;
