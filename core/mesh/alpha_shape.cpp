@@ -121,6 +121,7 @@ void addOutwardFacets(const std::vector<AlphaFacet>& facets, int level,
 // Spans the vertices of the shape with triangles.
 Result<void> placeTriangles(AlphaShapeMesh& shape) {
   std::vector<Eigen::Vector3d> places;
+  places.reserve(shape.mesh.vertices.size());
   for (const MeshVertex& vertex : shape.mesh.vertices) places.push_back(vertex.position);
   std::vector<double> alphas_mm;
   for (const double step : kAlphaLadder) alphas_mm.push_back(step * shape.alpha_mm);

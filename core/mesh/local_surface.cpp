@@ -34,7 +34,7 @@ std::optional<Plane> fitPlane(const KdTree& points, std::span<const KdTree::Neig
     scatter += weight[i] * offset * offset.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);  // ascending
-  const Eigen::Vector3d values = solver.eigenvalues();
+  const Eigen::Vector3d& values = solver.eigenvalues();
   if (!(values[1] > kFlat * values[2])) return std::nullopt;
   Plane plane{centre, {}};
   plane.axes.col(2) = solver.eigenvectors().col(0);
