@@ -35,7 +35,8 @@ std::string objText(const Mesh& mesh) {
     appendRow(text, "v", vertex.position);
     for (const std::uint8_t channel : vertex.rgb) {
       // Four digits: enough to come back to the same of 256 levels.
-      appendNumber(text.append(" "), static_cast<double>((channel * 10000 + 127) / 255) / 10000.0);
+      const int ten_thousandths = (channel * 10000 + 127) / 255;
+      appendNumber(text.append(" "), ten_thousandths / 10000.0);
     }
     text.append("\n");
   }
