@@ -128,21 +128,20 @@ void GrblBoard::settle(double time_s) {
 void GrblBoard::hear(char c, double time_s) {
   constexpr char kSoftReset = 0x18;
   constexpr char kJogCancel = static_cast<char>(0x85);
+  const bool controls_motion = c == '!' || c == '~' || c == kJogCancel;
   settle(time_s);
   if (c == '?') {
     say(statusReport());
   } else if (c == kSoftReset) {
     softReset();
-  } else if (needs_reset_ || asleep_) {
-    return;
-  } else if (alarm_ && (c == '!' || c == '~' || c == kJogCancel)) {
+  } else if (needs_reset_ || asleep_ || (alarm_ && controls_motion)) {
     return;
   } else if (c == '!' || c == kJogCancel) {
     if (jogging_) cancelling_jog_ = true;
     if (jogging_ || c == '!') motion_.hold(time_s);
     settle(time_s);
   } else if (c == '~') {
-    if (motion_.held() && !motion_.moving() && !alarm_) motion_.resume(time_s);
+    if (motion_.held() && !motion_.moving()) motion_.resume(time_s);
   } else if (static_cast<unsigned char>(c) < 0x80 && received_.size() < kReceiveBuffer_bytes) {
     received_ += c;
     if (c == '\n' || c == '\r') work(time_s);
