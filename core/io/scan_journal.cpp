@@ -63,6 +63,7 @@ std::vector<CapturedView> parseLines(std::string_view lines) {
     lines.remove_prefix(end + 1);
   }
   std::vector<CapturedView> views;
+  views.reserve(by_view.size());
   for (auto& [number, view] : by_view) views.push_back(std::move(view));
   return views;
 }
