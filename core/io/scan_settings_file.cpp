@@ -45,6 +45,8 @@ Result<ScanSettings> parseScanSettings(std::string_view text, const std::string&
   settings.rights = textAt(root, "rights");
   settings.turntable = textAt(root, "turntable");
   settings.camera = textAt(root, "camera");
+  settings.camera_mode = textAt(root, "camera_mode");
+  if (root.contains("axis")) settings.axis = textAt(root, "axis");
   const ordered_json rig = root.value("sim_rig", ordered_json());
   if (!rig.is_null()) settings.sim_rig_json = rig.dump();
   const ordered_json views = root.value("views", ordered_json());
@@ -79,6 +81,8 @@ Result<std::string> scanSettingsText(const ScanSettings& settings) {
   root["rights"] = settings.rights;
   root["turntable"] = settings.turntable;
   root["camera"] = withoutPassword(settings.camera);
+  root["camera_mode"] = settings.camera_mode;
+  root["axis"] = settings.axis;
   root["views"] = settings.views;
   root["start_angle_rad"] = settings.start_angle_rad;
   if (!rig.empty()) root["sim_rig"] = ordered_json::parse(rig);

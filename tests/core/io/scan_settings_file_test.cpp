@@ -21,6 +21,8 @@ ScanSettings oddSettings() {
   settings.rights = "CC0\n";
   settings.turntable = "sim:duck";
   settings.camera = "rtsp://camera.local:554/live?channel=1";
+  settings.camera_mode = "1920x1080@MJPG";
+  settings.axis = "A";
   settings.sim_rig_json = R"({"seed":7,"rig":{"z_mm":0.1,"a":[1,2]}})";
   settings.views = 72;
   settings.start_angle_rad = 0.1 + 0.2;
@@ -36,6 +38,8 @@ TEST(ScanSettingsText, ReadsBackTheSame) {
   EXPECT_EQ(back->rights, settings.rights);
   EXPECT_EQ(back->turntable, settings.turntable);
   EXPECT_EQ(back->camera, settings.camera);
+  EXPECT_EQ(back->camera_mode, settings.camera_mode);
+  EXPECT_EQ(back->axis, settings.axis);
   EXPECT_EQ(back->sim_rig_json, settings.sim_rig_json);
   EXPECT_EQ(back->views, settings.views);
   EXPECT_EQ(back->start_angle_rad, settings.start_angle_rad);
