@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/write_results.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <opencv2/core/version.hpp>
+
+#include "core/base/clock.h"
+#include "core/io/calibration_file.h"
+#include "core/io/obj.h"
+#include "core/io/ply.h"
+#include "core/io/visibility_file.h"
+#include "core/mesh/alpha_shape.h"
+
+namespace gyre {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kEnoughPoints = 500;
+// With steps wider than 15 degrees, most features turn away before they are seen again.
+constexpr std::size_t kFewViews = 24;
+
+Report completed(Report report, const Reconstruction& reconstruction) {
+  report.points = reconstruction.cloud.points.size();
+  report.observations = reconstruction.observations;
+  report.rms_px = reconstruction.rms_px;
+  report.median_px = reconstruction.median_px;
+  if (reconstruction.turn_gap) {
+    report.closure_px = reconstruction.turn_gap->px;
+    report.closure_mm = reconstruction.turn_gap->mm;
+  }
+  report.sigma_mm = sigmaPercentiles(reconstruction.cloud);
+  report.seconds.insert(reconstruction.seconds.begin(), reconstruction.seconds.end());
+  report.versions["OpenCV"] = CV_VERSION;
+  return report;
+}
+
+Result<void> writePoints(const fs::path& folder, const PointCloud& cloud,
+                         const ResultContext& context) {
+  if (const auto done = writePly(folder / "points.ply", cloud); !done) return done;
+  if (const auto done = writeVisibility(folder / "visibility.bin", cloud); !done) return done;
+  if (const auto done = writeCalibration(folder / "calibration.json", context.calibration); !done) {
+    return done;
+  }
+  return writeAngles(folder / "angles_solved.csv", context.angles);
+}
+
+Result<void> writeMesh(const fs::path& folder, const Mesh& mesh) {
+  if (const auto done = writePly(folder / "mesh.ply", mesh); !done) return done;
+  return writeObj(folder / "mesh.obj", mesh);
+}
+
+}  // namespace
+
+Result<WrittenResults> writeResults(const fs::path& folder, const Reconstruction& reconstruction,
+                                    const ResultContext& context, const Task& task) {
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  if (problem) {
+    return Error{Error::Code::kIo, "The folder \"" + folder.string() + "\" cannot be made.",
+                 "Choose a folder in which you may write."};
+  }
+  if (const auto done = writePoints(folder, reconstruction.cloud, context); !done) {
+    return done.error();
+  }
+  WrittenResults written;
+  Report report = completed(context.report, reconstruction);
+  const double start_s = steadySeconds();
+  task.report(0.0, "Making the mesh");
+  auto surface = alphaShapeMesh(reconstruction.cloud, {}, task.part(0.0, 0.9));
+  report.seconds["mesh"] = steadySeconds() - start_s;
+  if (surface) {
+    written.mesh = std::move(surface->mesh);
+    report.options["alpha_mm"] = std::to_string(surface->alpha_mm);
+    if (const auto done = writeMesh(folder, written.mesh); !done) return done.error();
+  } else if (surface.error().code == Error::Code::kCancelled) {
+    return surface.error();
+  } else {
+    written.mesh_problem = surface.error();
+  }
+  if (const auto done = writeReport(folder, report); !done) return done.error();
+  return written;
+}
+
+Result<void> enoughPoints(const PointCloud& cloud, std::size_t views) {
+  if (cloud.points.size() >= kEnoughPoints) return {};
+  const std::string count = std::to_string(cloud.points.size());
+  if (views < kFewViews) {
+    return Error{
+        Error::Code::kTooFew,
+        "Only " + count + " points could be measured from " + std::to_string(views) + " views.",
+        "Take more views of the turn: 72 for a quick scan, 200 for a full one."};
+  }
+  return Error{
+      Error::Code::kTooFew,
+      "The object has too little texture: only " + count + " points of it could be measured.",
+      "Try raking light that brings out fine relief, and a sharper picture; a plain shape "
+      "can also be made from its silhouettes. Put speckle or spray only on an object that "
+      "may be altered."};
+}
+
+AngleTable anglesOfViews(const std::vector<CapturedView>& views) {
+  AngleTable angles;
+  for (const CapturedView& view : views) {
+    angles[std::filesystem::path(view.file).filename().string()] = view.table_angle_rad;
+  }
+  return angles;
+}
+
+}  // namespace gyre
