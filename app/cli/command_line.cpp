@@ -26,8 +26,10 @@ void addLoudness(CLI::App& command, Loudness& loudness) {
 }
 
 void addSubcommands(CLI::App& app, Loudness& loudness, Run& chosen) {
-  static const std::vector<void (*)(CLI::App&, Run&)> kCommands = {};
-  for (const auto& add : kCommands) add(app, chosen);
+  for (const auto& add : {addDemo, addScan, addResume, addReconstruct, addMesh, addCompare,
+                          addDevices, addSimFirmware}) {
+    add(app, chosen);
+  }
   for (CLI::App* command : app.get_subcommands({})) addLoudness(*command, loudness);
 }
 

@@ -16,4 +16,14 @@ namespace gyre {
 // Runs a subcommand with its parsed words and gives its exit code.
 using Run = std::function<int(Console& console, const Task& task)>;
 
+// Each adds one subcommand to app; when the words name it, `chosen` becomes what to run.
+void addCompare(CLI::App& app, Run& chosen);
+void addDemo(CLI::App& app, Run& chosen);
+void addDevices(CLI::App& app, Run& chosen);
+void addMesh(CLI::App& app, Run& chosen);
+void addReconstruct(CLI::App& app, Run& chosen);
+void addResume(CLI::App& app, Run& chosen);
+void addScan(CLI::App& app, Run& chosen);
+void addSimFirmware(CLI::App& app, Run& chosen);
+
 }  // namespace gyre

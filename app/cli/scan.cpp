@@ -1,0 +1,114 @@
+// gyre scan: turns, captures, keeps and reconstructs, on a real or a simulated rig.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "app/cli/scan_ending.h"
+#include "app/cli/scan_words.h"
+#include "app/cli/subcommands.h"
+#include "app/empty_table.h"
+#include "app/rig.h"
+#include "app/scan_run.h"
+#include "core/io/calibration_file.h"
+#include "core/io/scan_store.h"
+#include "core/sim/rig_json.h"
+
+namespace gyre {
+namespace {
+
+struct Words {
+  ScanSettings settings;  // turntable, camera, mode, axis, views, title, rights
+  std::string calibration;
+  std::string background;
+  std::string out;
+  SimWords sim;
+};
+
+// Everything that can be wrong is found out before the folder is made.
+struct Plan {
+  ScanSettings settings;
+  Calibration calibration;
+  RigOptions options;
+};
+
+Result<Plan> planOf(const Words& words) {
+  Plan plan;
+  plan.settings = words.settings;
+  plan.options.camera_mode = words.settings.camera_mode;
+  plan.options.turntable.axis = words.settings.axis;
+  if (const auto valid = plan.options.turntable.validate(); !valid) return valid.error();
+  plan.options.sim_speed = words.sim.speed;
+  const bool simulated = namesSimulation(words.settings.turntable);
+  if (simulated) {
+    const auto rig = simulatedRig(words.sim, simulatedObject(words.settings.turntable));
+    if (!rig) return rig.error();
+    plan.options.sim = *rig;
+    plan.settings.sim_rig_json = rigToJson(*rig);
+  }
+  if (!words.calibration.empty()) {
+    auto calibration = readCalibration(words.calibration);
+    if (!calibration) return calibration.error();
+    plan.calibration = std::move(calibration).value();
+  } else if (simulated && words.settings.camera == "sim") {
+    plan.calibration = trueCalibration(plan.options.sim);
+  } else {
+    return Error{Error::Code::kInvalidInput, "A real rig cannot be measured with uncalibrated.",
+                 "Give its calibration with --calibration FILE."};
+  }
+  return plan;
+}
+
+Result<Reconstruction> scan(const Words& words, Rig& rig, ScanStore& store, const Task& task) {
+  if (!words.background.empty()) {
+    if (const auto kept = keepEmptyTable(words.background, store); !kept) return kept.error();
+  }
+  if (const auto taken = takeEmptyTable(rig, store, task); !taken) return taken.error();
+  return runScan(*rig.turntable, *rig.camera, store, task);
+}
+
+int run(const Words& words, Console& console, const Task& task) {
+  auto plan = planOf(words);
+  if (!plan) return console.fail(plan.error());
+  task.report(0.0, "Opening turntable and camera");
+  auto rig = openRig(words.settings.turntable, words.settings.camera, plan->options, task);
+  if (!rig) return console.fail(rig.error());
+  tellDevices(console, *rig);
+  auto store = ScanStore::create(words.out, plan->settings, plan->calibration);
+  if (!store) return console.fail(store.error());
+  return endScan(console, *store, scan(words, *rig, *store, task.part(0.0, 0.9)),
+                 task.part(0.9, 1.0));
+}
+
+}  // namespace
+
+void addScan(CLI::App& app, Run& chosen) {
+  auto words = std::make_shared<Words>();
+  ScanSettings& settings = words->settings;
+  CLI::App* command = app.add_subcommand("scan", "Scan what stands on the turntable");
+  command->add_option("--turntable", settings.turntable, "PORT, tcp:HOST:PORT or sim[:OBJECT]")
+      ->required();
+  command->add_option("--camera", settings.camera, "Number, /dev/video, URL, folder or sim")
+      ->required();
+  command->add_option("--camera-mode", settings.camera_mode, "Such as 1920x1080@MJPG");
+  command->add_option("--calibration", words->calibration, "calibration.json of this rig");
+  command->add_option("--axis", settings.axis, "Letter of the axis that turns (default X)");
+  command->add_option("--background", words->background, "Picture of the empty table, or a folder");
+  command->add_option("--views", settings.views, "Pictures in one turn (default 200)")
+      ->check(CLI::Range(2, 100000));
+  command->add_option("--title", settings.title, "What the object is");
+  command->add_option("--inventory-number", settings.inventory_number, "Where it is kept");
+  command->add_option("--rights", settings.rights, "Who may use the model, and how");
+  command->add_option("--out", words->out, "Folder for the scan; new or empty")->required();
+  addSimWords(*command, words->sim);
+  command->callback([&chosen, words] {
+    chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };
+  });
+}
+
+}  // namespace gyre

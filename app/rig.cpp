@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/rig.h"
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "core/base/check.h"
+#include "core/device/folder_camera.h"
+#include "core/device/opencv_source.h"
+#include "core/device/protocol_turntable.h"
+#include "core/device/serial_port.h"
+#include "core/device/streaming_camera.h"
+#include "core/device/tcp_port.h"
+#include "core/io/frame_folder.h"
+#include "core/io/picture_file.h"
+
+namespace gyre {
+namespace {
+
+constexpr double kConnect_s = 5.0;
+// What a picture needs from the sensor to the driver: USB cameras about a frame at 30 a second;
+// cameras on a network code it, buffer it and send it.
+constexpr double kUsbDelay_s = 0.04;
+constexpr double kNetworkDelay_s = 0.25;
+
+Result<std::unique_ptr<SimulatedRoom>> furnish(const std::string& turntable_word,
+                                               const RigOptions& options) {
+  auto room = std::make_unique<SimulatedRoom>();
+  room->settings = options.sim;
+  const std::string object = simulatedObject(turntable_word);
+  if (!object.empty()) room->settings.object = object;
+  if (const auto valid = room->settings.validate(); !valid) return valid.error();
+  room->shaft = std::make_shared<Shaft>();
+  TurntableFirmwareOptions firmware;
+  firmware.steps_per_turn = room->settings.steps_per_turn;
+  room->firmware =
+      std::make_unique<TurntableFirmware>(firmware, room->shaft, SimClock(options.sim_speed));
+  return room;
+}
+
+Result<std::unique_ptr<BytePort>> openPort(const std::string& word, SimulatedRoom* room) {
+  if (namesSimulation(word)) {
+    GYRE_CHECK(room != nullptr);
+    return room->firmware->openPort();
+  }
+  if (word.starts_with("tcp:")) {
+    auto port = TcpPort::open(word, kConnect_s);
+    if (!port) return port.error();
+    return std::unique_ptr<BytePort>(std::move(port).value());
+  }
+  auto port = SerialPort::open(word);
+  if (!port) return port.error();
+  return std::unique_ptr<BytePort>(std::move(port).value());
+}
+
+Result<std::unique_ptr<Camera>> openFolder(const std::string& folder) {
+  auto pictures = listPictures(folder);
+  if (!pictures) return pictures.error();
+  const auto read = [](const std::filesystem::path& picture) -> Result<cv::Mat> {
+    const auto frame = readPicture(picture);
+    if (!frame) return frame.error();
+    return frame->image_bgr;
+  };
+  return std::unique_ptr<Camera>(std::make_unique<FolderCamera>(std::move(pictures).value(), read));
+}
+
+Result<std::unique_ptr<Camera>> openSimulated(const RigOptions& options, SimulatedRoom* room) {
+  if (room == nullptr) {
+    return Error{Error::Code::kInvalidInput,
+                 "The simulated camera sees only the simulated turntable.",
+                 "Use `--turntable sim` with it, or name a real camera."};
+  }
+  room->renderer = std::make_shared<const Renderer>(room->settings);
+  auto source =
+      std::make_unique<SimCamera>(room->renderer, room->shaft, SimClock(options.sim_speed));
+  room->camera = source.get();
+  return std::unique_ptr<Camera>(std::make_unique<StreamingCamera>(std::move(source)));
+}
+
+}  // namespace
+
+void SimulatedRoom::setTable(TableLoad load) const {
+  if (camera != nullptr) camera->setTable(load);
+}
+
+bool namesSimulation(const std::string& word) { return word == "sim" || word.starts_with("sim:"); }
+
+std::string simulatedObject(const std::string& turntable_word) {
+  return turntable_word.starts_with("sim:") ? turntable_word.substr(4) : "";
+}
+
+Result<std::unique_ptr<Turntable>> openTurntable(const std::string& word, const RigOptions& options,
+                                                 SimulatedRoom* room, const Task& task) {
+  auto port = openPort(word, room);
+  if (!port) return port.error();
+  auto turntable = ProtocolTurntable::open(std::move(port).value(), options.turntable, task);
+  if (!turntable) return turntable.error();
+  return std::unique_ptr<Turntable>(std::move(turntable).value());
+}
+
+Result<std::unique_ptr<Camera>> openCamera(const std::string& word, const RigOptions& options,
+                                           SimulatedRoom* room) {
+  if (word == "sim") return openSimulated(options, room);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(word, ignored)) return openFolder(word);
+  OpenCvSourceOptions mode;
+  if (!options.camera_mode.empty()) {
+    auto read = cameraModeFromText(options.camera_mode);
+    if (!read) return read.error();
+    mode = std::move(read).value();
+  }
+  auto source = openOpenCvSource(word, mode);
+  if (!source) return source.error();
+  StreamingCameraOptions streaming;
+  streaming.transport_delay_s =
+      word.find("://") == std::string::npos ? kUsbDelay_s : kNetworkDelay_s;
+  return std::unique_ptr<Camera>(
+      std::make_unique<StreamingCamera>(std::move(source).value(), streaming));
+}
+
+Result<Rig> openRig(const std::string& turntable_word, const std::string& camera_word,
+                    const RigOptions& options, const Task& task) {
+  Rig rig;
+  if (namesSimulation(turntable_word)) {
+    auto room = furnish(turntable_word, options);
+    if (!room) return room.error();
+    rig.room = std::move(room).value();
+  }
+  auto camera = openCamera(camera_word, options, rig.room.get());
+  if (!camera) return camera.error();
+  rig.camera = std::move(camera).value();
+  auto turntable = openTurntable(turntable_word, options, rig.room.get(), task);
+  if (!turntable) return turntable.error();
+  rig.turntable = std::move(turntable).value();
+  return rig;
+}
+
+}  // namespace gyre

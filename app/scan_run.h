@@ -1,0 +1,24 @@
+// A scan from an open rig to points: captured, kept and reconstructed at the same time.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/task.h"
+#include "core/device/camera.h"
+#include "core/device/turntable.h"
+#include "core/io/scan_store.h"
+#include "core/pipeline/reconstruction.h"
+
+namespace gyre {
+
+// Captures what the store does not hold yet and reconstructs the whole scan, frames that were
+// captured earlier included and in their order: a scan that was cut off and resumed gives the same
+// points as one that was not. The motor is released at the end. On failure, and when stopped, what
+// was captured stays in the store.
+Result<Reconstruction> runScan(Turntable& turntable, Camera& camera, ScanStore& store,
+                               const Task& task);
+
+// The same when all views are captured: no device is needed.
+Result<Reconstruction> reconstructScan(const ScanStore& store, const Task& task);
+
+}  // namespace gyre
