@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include <opencv2/imgproc.hpp>
-
 #include "core/base/parallel.h"
 #include "core/geometry/turntable_pose.h"
 #include "core/recover/ray_intersection.h"
@@ -15,17 +13,19 @@
 #include "core/track/feature_detector.h"
 #include "core/track/grey_pyramid.h"
 #include "core/track/klt_step.h"
+#include "core/track/reference_patch.h"
 #include "core/track/search_volume.h"
+#include "core/track/track_gates.h"
 
 namespace gyre {
 namespace {
 
 constexpr std::size_t kTailViews = 12;
 // What LK leaves of a feature's position however strong its texture: interpolation, foreshortening.
-constexpr double kTrackingFloor_px = 0.08;
+constexpr double kTrackingFloor_px = 0.05;
+// A reference patch serves until the table has turned this far: beyond, it looks too different.
+constexpr double kReferenceTurn_rad = 0.26;
 constexpr std::size_t kGrain = 32;
-// A live point this far off in its own standard deviations is lost: hidden, or slipped.
-constexpr double kLostSigma = 4.0;
 // Correlation along the curve that is worth refining.
 constexpr float kLeastSearchCorrelation = 0.6F;
 
@@ -34,21 +34,6 @@ Rgb colourAt(const cv::Mat& image_bgr, const Eigen::Vector2d& pixel) {
   const int row = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, image_bgr.rows - 1);
   const auto& bgr = image_bgr.at<cv::Vec3b>(row, column);
   return {bgr[2], bgr[1], bgr[0]};
-}
-
-// 255 where a feature may be: on the object, and not near its outline or the picture's edge.
-cv::Mat allowedArea(const cv::Mat& object_mask, const TrackOptions& options) {
-  cv::Mat framed = object_mask != 0;
-  // The picture's edge cuts the object off; what lies beyond it is unknown.
-  const int edge = options.window_px / 2 + 2;
-  framed.rowRange(0, edge).setTo(0);
-  framed.rowRange(framed.rows - edge, framed.rows).setTo(0);
-  framed.colRange(0, edge).setTo(0);
-  framed.colRange(framed.cols - edge, framed.cols).setTo(0);
-  cv::Mat distance;
-  cv::distanceTransform(object_mask != 0, distance, cv::DIST_L2, 3);
-  cv::Mat allowed = framed & (distance > options.silhouette_margin_px);
-  return allowed;
 }
 
 }  // namespace
@@ -68,10 +53,20 @@ class FeatureTracker::Impl {
   std::optional<TurnGap> turnGap() const;
 
  private:
+  // A track that goes on, and the patch that holds it in its place.
+  struct ActiveTrack {
+    MeasuredTrack measured;
+    std::shared_ptr<const ReferencePatch> reference;  // null when its texture fixes no shape
+    double reference_angle_rad = 0.0;
+    PatchPlace place;  // in the view before
+
+    const Observation& last() const { return measured.track.observations.back(); }
+  };
+
   // What following one active track into the new view came to.
   struct Step {
     std::optional<Eigen::Vector2d> predicted;
-    std::optional<Eigen::Vector2d> found;
+    std::optional<PatchPlace> found;
     std::optional<EstimatedPoint> point;
   };
 
@@ -83,11 +78,15 @@ class FeatureTracker::Impl {
 
   void predict(const GreyPyramid& now, std::int32_t view, std::vector<Step>& steps) const;
   void follow(const GreyPyramid& now, const cv::Mat& allowed, std::vector<Step>& steps) const;
+  std::optional<PatchPlace> held(const ActiveTrack& active, const Eigen::Vector2d& pixel,
+                                 const GreyPyramid& now, const cv::Mat& allowed) const;
   void measure(std::int32_t view, std::vector<Step>& steps) const;
   std::optional<EstimatedPoint> updatedPoint(const MeasuredTrack& active,
                                              const Sighting& latest) const;
   bool fits(const MeasuredTrack& active, const Sighting& latest, const EstimatedPoint& point) const;
-  void advance(const FramePtr& frame, std::int32_t view, std::vector<Step>& steps);
+  void advance(const FramePtr& frame, const GreyPyramid& now, std::int32_t view,
+               std::vector<Step>& steps);
+  void anchor(ActiveTrack& active, const cv::Mat& grey, double table_angle_rad) const;
   void end(MeasuredTrack&& track);
   void detect(const FramePtr& frame, const GreyPyramid& now, const cv::Mat& allowed,
               std::int32_t view);
@@ -100,7 +99,7 @@ class FeatureTracker::Impl {
   EpipolarSearch search_;
   GreyPyramid first_;
   GreyPyramid before_;
-  std::vector<MeasuredTrack> active_;
+  std::vector<ActiveTrack> active_;
   std::vector<MeasuredTrack> ended_;
   std::uint32_t next_id_ = 0;
 };
@@ -121,8 +120,8 @@ void FeatureTracker::Impl::predict(const GreyPyramid& now, std::int32_t view,
                                    std::vector<Step>& steps) const {
   parallelFor(active_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const MeasuredTrack& active = active_[i];
-      const Observation& last = active.track.observations.back();
+      const MeasuredTrack& active = active_[i].measured;
+      const Observation& last = active_[i].last();
       if (active.point) {
         steps[i].predicted =
             calibration_.camera.project(pose(view) * active.point->position_in_table);
@@ -141,24 +140,38 @@ void FeatureTracker::Impl::follow(const GreyPyramid& now, const cv::Mat& allowed
   std::vector<std::size_t> owner;
   for (std::size_t i = 0; i < active_.size(); ++i) {
     if (!steps[i].predicted || !calibration_.camera.contains(*steps[i].predicted)) continue;
-    moves.push_back({active_[i].track.observations.back().pixel.cast<float>(),
-                     steps[i].predicted->cast<float>()});
+    moves.push_back({active_[i].last().pixel.cast<float>(), steps[i].predicted->cast<float>()});
     owner.push_back(i);
   }
   const auto outcomes = kltStep(before_, now, moves, options_.window_px);
-  for (std::size_t k = 0; k < outcomes.size(); ++k) {
-    const KltOutcome& outcome = outcomes[k];
-    if (!outcome.found || outcome.round_trip_px > options_.max_round_trip_px) continue;
-    const Eigen::Vector2d pixel = outcome.to.cast<double>();
-    if (!calibration_.camera.contains(pixel, 1.0)) continue;
-    const int column = static_cast<int>(std::lround(pixel.x()));
-    const int row = static_cast<int>(std::lround(pixel.y()));
-    if (allowed.at<std::uint8_t>(row, column) == 0) continue;
-    const auto was = samplePatch(before_.grey, active_[owner[k]].track.observations.back().pixel);
+  parallelFor(outcomes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const KltOutcome& outcome = outcomes[k];
+      if (!outcome.found || outcome.round_trip_px > options_.max_round_trip_px) continue;
+      steps[owner[k]].found = held(active_[owner[k]], outcome.to.cast<double>(), now, allowed);
+    }
+  });
+}
+
+std::optional<PatchPlace> FeatureTracker::Impl::held(const ActiveTrack& active,
+                                                     const Eigen::Vector2d& pixel,
+                                                     const GreyPyramid& now,
+                                                     const cv::Mat& allowed) const {
+  PatchPlace place{pixel, active.place.shape};
+  if (active.reference) {
+    const auto alignment = active.reference->align(now.grey, place);
+    if (!alignment || alignment->correlation < options_.min_correlation) return std::nullopt;
+    place = alignment->place;
+  } else {
+    const auto was = samplePatch(before_.grey, active.last().pixel);
     const auto is = samplePatch(now.grey, pixel);
-    if (!was || !is || correlate(*was, *is) < options_.min_correlation) continue;
-    steps[owner[k]].found = pixel;
+    if (!was || !is || correlate(*was, *is) < options_.min_correlation) return std::nullopt;
   }
+  if (!calibration_.camera.contains(place.pixel, 1.0)) return std::nullopt;
+  const int column = static_cast<int>(std::lround(place.pixel.x()));
+  const int row = static_cast<int>(std::lround(place.pixel.y()));
+  if (allowed.at<std::uint8_t>(row, column) == 0) return std::nullopt;
+  return place;
 }
 
 std::optional<EstimatedPoint> FeatureTracker::Impl::updatedPoint(const MeasuredTrack& active,
@@ -172,29 +185,18 @@ std::optional<EstimatedPoint> FeatureTracker::Impl::updatedPoint(const MeasuredT
   return estimator_.refine(sightings, *start);
 }
 
-bool FeatureTracker::Impl::fits(const MeasuredTrack& active, const Sighting& latest,
-                                const EstimatedPoint& point) const {
-  const Eigen::Vector3d& x = point.position_in_table;
-  if (x.head<2>().norm() > volume_.radius_mm || x.z() > volume_.z_max_mm) return false;
-  const Eigen::Vector3d in_cam = pose(latest.view) * x;
-  const double off = (latest.normalized - in_cam.head<2>() / in_cam.z()).norm();
-  const double off_px = off * std::sqrt(calibration_.camera.fx * calibration_.camera.fy);
-  if (active.sightings.size() < 3) return off_px <= 0.5 * options_.max_epipolar_px;
-  // Seen from there on, the platter's own texture is known by its height.
-  const double z_sigma = std::sqrt(point.covariance(2, 2));
-  if (x.z() + 2.0 * z_sigma < options_.min_height_mm) return false;
-  return off_px <= options_.max_epipolar_px && off <= kLostSigma * 1.5 * latest.sigma;
-}
-
 void FeatureTracker::Impl::measure(std::int32_t view, std::vector<Step>& steps) const {
   parallelFor(active_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (!steps[i].found) continue;
-      const MeasuredTrack& active = active_[i];
-      const double sigma_px = active.track.observations.back().sigma_px;
-      const Sighting latest = sightingAt(view, *steps[i].found, sigma_px);
+      const MeasuredTrack& active = active_[i].measured;
+      const Sighting latest = sightingAt(view, steps[i].found->pixel, active_[i].last().sigma_px);
       steps[i].point = updatedPoint(active, latest);
-      if (!steps[i].point || !fits(active, latest, *steps[i].point)) steps[i].found.reset();
+      if (!steps[i].point ||
+          !fitsTurning({calibration_.camera, pose(view), volume_}, active.sightings.size(), latest,
+                       *steps[i].point, options_)) {
+        steps[i].found.reset();
+      }
     }
   });
 }
@@ -204,50 +206,74 @@ void FeatureTracker::Impl::end(MeasuredTrack&& track) {
   if (track.point) ended_.push_back(std::move(track));
 }
 
-void FeatureTracker::Impl::advance(const FramePtr& frame, std::int32_t view,
+void FeatureTracker::Impl::advance(const FramePtr& frame, const GreyPyramid& now, std::int32_t view,
                                    std::vector<Step>& steps) {
-  std::vector<MeasuredTrack> going_on;
+  std::vector<ActiveTrack> going_on;
   going_on.reserve(active_.size());
   for (std::size_t i = 0; i < active_.size(); ++i) {
-    MeasuredTrack& active = active_[i];
+    ActiveTrack& active = active_[i];
     if (!steps[i].found) {
-      end(std::move(active));
+      end(std::move(active.measured));
       continue;
     }
-    const double sigma_px = active.track.observations.back().sigma_px;
-    active.track.observations.push_back({view, *steps[i].found, sigma_px});
-    active.sightings.push_back(sightingAt(view, *steps[i].found, sigma_px));
-    active.colours.push_back(colourAt(frame->image_bgr, *steps[i].found));
-    active.point = std::move(steps[i].point);
+    active.place = *steps[i].found;
+    const double sigma_px = active.last().sigma_px;
+    active.measured.track.observations.push_back({view, active.place.pixel, sigma_px});
+    active.measured.sightings.push_back(sightingAt(view, active.place.pixel, sigma_px));
+    active.measured.colours.push_back(colourAt(frame->image_bgr, active.place.pixel));
+    active.measured.point = std::move(steps[i].point);
     going_on.push_back(std::move(active));
   }
   active_ = std::move(going_on);
+  parallelFor(active_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double turned_rad = frame->table_angle_rad - active_[i].reference_angle_rad;
+      if (std::abs(turned_rad) > kReferenceTurn_rad) {
+        anchor(active_[i], now.grey, frame->table_angle_rad);
+      }
+    }
+  });
+}
+
+void FeatureTracker::Impl::anchor(ActiveTrack& active, const cv::Mat& grey,
+                                  double table_angle_rad) const {
+  const Eigen::Vector2d pixel = active.last().pixel;
+  active.reference.reset();
+  if (auto patch = ReferencePatch::cut(grey, pixel, options_.window_px)) {
+    active.reference = std::make_shared<const ReferencePatch>(std::move(*patch));
+  }
+  active.reference_angle_rad = table_angle_rad;
+  active.place = {pixel, Eigen::Matrix2d::Identity()};
 }
 
 void FeatureTracker::Impl::detect(const FramePtr& frame, const GreyPyramid& now,
                                   const cv::Mat& allowed, std::int32_t view) {
   std::vector<Eigen::Vector2d> occupied;
   occupied.reserve(active_.size());
-  for (const MeasuredTrack& active : active_) {
-    occupied.push_back(active.track.observations.back().pixel);
-  }
+  for (const ActiveTrack& active : active_) occupied.push_back(active.last().pixel);
   const double noise_sigma = estimateNoiseSigma(now.grey, allowed);
-  for (const Feature& feature :
-       detectFeatures(now.grey, noise_sigma, allowed, occupied, options_)) {
+  const auto features = detectFeatures(now.grey, noise_sigma, allowed, occupied, options_);
+  const std::size_t first_new = active_.size();
+  for (const Feature& feature : features) {
     MeasuredTrack fresh;
     fresh.track.id = next_id_++;
     const double sigma_px = std::hypot(feature.sigma_px, kTrackingFloor_px);
     fresh.track.observations.push_back({view, feature.pixel, sigma_px});
     fresh.sightings.push_back(sightingAt(view, feature.pixel, sigma_px));
     fresh.colours.push_back(colourAt(frame->image_bgr, feature.pixel));
-    active_.push_back(std::move(fresh));
+    active_.push_back({std::move(fresh), nullptr, 0.0, {}});
   }
+  parallelFor(features.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      anchor(active_[first_new + i], now.grey, frame->table_angle_rad);
+    }
+  });
 }
 
 TrackedFrame FeatureTracker::Impl::marks(const FramePtr& frame) const {
   TrackedFrame tracked{frame, {}};
   tracked.marks.reserve(active_.size());
-  for (const MeasuredTrack& active : active_) {
+  for (const auto& [active, reference, angle, place] : active_) {
     FeatureMark mark;
     mark.track_id = active.track.id;
     const auto& observations = active.track.observations;
@@ -275,7 +301,7 @@ TrackedFrame FeatureTracker::Impl::addFrame(const FramePtr& frame, const cv::Mat
     follow(now, allowed, steps);
     measure(view, steps);
   }
-  advance(frame, view, steps);
+  advance(frame, now, view, steps);
   detect(frame, now, allowed, view);
   if (view == 0) first_ = now;
   before_ = std::move(now);
@@ -286,8 +312,8 @@ std::vector<const MeasuredTrack*> FeatureTracker::Impl::tracks() const {
   std::vector<const MeasuredTrack*> all;
   all.reserve(ended_.size() + active_.size());
   for (const MeasuredTrack& track : ended_) all.push_back(&track);
-  for (const MeasuredTrack& track : active_) {
-    if (track.point) all.push_back(&track);
+  for (const ActiveTrack& active : active_) {
+    if (active.measured.point) all.push_back(&active.measured);
   }
   return all;
 }
@@ -295,8 +321,9 @@ std::vector<const MeasuredTrack*> FeatureTracker::Impl::tracks() const {
 std::optional<TurnGap> FeatureTracker::Impl::turnGap() const {
   const auto last_view = static_cast<std::int32_t>(estimator_.poses().size()) - 1;
   std::vector<LateFeature> late;
-  for (const MeasuredTrack& track : active_) {
-    const Observation& last = track.track.observations.back();
+  for (const ActiveTrack& active : active_) {
+    const MeasuredTrack& track = active.measured;
+    const Observation& last = active.last();
     const bool begun_late = track.track.observations.front().view > last_view / 2;
     if (!track.point || !begun_late || last.view != last_view) continue;
     const auto settled = estimator_.estimate(track.sightings, track.track.id);

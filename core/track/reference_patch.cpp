@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/track/reference_patch.h"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+namespace gyre {
+namespace {
+
+constexpr int kMostSteps = 10;
+constexpr double kSettled_px = 0.003;
+constexpr double kRunAway_px = 3.0;
+// Shapes squeezed or stretched beyond this are no view of the same surface.
+constexpr double kLeastStretch = 0.4;
+constexpr double kMostStretch = 2.5;
+constexpr float kFlat = 4.0F;  // grey levels; length of a centred patch that holds but noise
+
+// Bilinear value; the caller has made sure that the neighbours exist.
+float valueAt(const cv::Mat& grey, double x, double y) {
+  const int column = static_cast<int>(x);
+  const int row = static_cast<int>(y);
+  const auto fx = static_cast<float>(x - column);
+  const auto fy = static_cast<float>(y - row);
+  const std::uint8_t* top = grey.ptr<std::uint8_t>(row) + column;
+  const std::uint8_t* bottom = grey.ptr<std::uint8_t>(row + 1) + column;
+  const float upper = static_cast<float>(top[0]) + fx * static_cast<float>(top[1] - top[0]);
+  const float lower =
+      static_cast<float>(bottom[0]) + fx * static_cast<float>(bottom[1] - bottom[0]);
+  return upper + fy * (lower - upper);
+}
+
+bool inside(const cv::Mat& grey, const PatchPlace& place, double radius_px) {
+  const Eigen::Vector2d reach = place.shape.cwiseAbs() * Eigen::Vector2d::Constant(radius_px);
+  return place.pixel.x() - reach.x() >= 1.0 && place.pixel.y() - reach.y() >= 1.0 &&
+         place.pixel.x() + reach.x() < grey.cols - 2 && place.pixel.y() + reach.y() < grey.rows - 2;
+}
+
+void sample(const cv::Mat& grey, const PatchPlace& place, int radius_px, float* out) {
+  for (int dy = -radius_px; dy <= radius_px; ++dy) {
+    const Eigen::Vector2d line = place.pixel + place.shape.col(1) * dy;
+    for (int dx = -radius_px; dx <= radius_px; ++dx) {
+      *out++ = valueAt(grey, line.x() + place.shape(0, 0) * dx, line.y() + place.shape(1, 0) * dx);
+    }
+  }
+}
+
+bool plausible(const Eigen::Matrix2d& shape) {
+  const double area = shape.determinant();
+  const double longest = std::sqrt(shape.squaredNorm());
+  return area > kLeastStretch * kLeastStretch && area < kMostStretch * kMostStretch &&
+         longest < std::sqrt(2.0) * kMostStretch;
+}
+
+// Removes from the rows what brightness, contrast and a brightness slope can explain.
+template <class Rows, class Photometric>
+void projectOut(Rows& rows, Photometric& photometric) {
+  for (Eigen::Index i = 0; i < photometric.rows(); ++i) {
+    for (Eigen::Index k = 0; k < i; ++k) {
+      photometric.row(i) -= photometric.row(i).dot(photometric.row(k)) * photometric.row(k);
+    }
+    photometric.row(i).normalize();
+  }
+  rows -= (rows * photometric.transpose()).eval() * photometric;
+}
+
+}  // namespace
+
+std::optional<ReferencePatch> ReferencePatch::cut(const cv::Mat& grey, const Eigen::Vector2d& pixel,
+                                                  int side_px) {
+  ReferencePatch patch;
+  patch.radius_px_ = side_px / 2;
+  const PatchPlace place{pixel, Eigen::Matrix2d::Identity()};
+  if (!inside(grey, place, patch.radius_px_ + 1)) return std::nullopt;
+  const int count = side_px * side_px;
+  patch.values_.resize(static_cast<std::size_t>(count));
+  sample(grey, place, patch.radius_px_, patch.values_.data());
+  Eigen::Map<Eigen::RowVectorXf> values(patch.values_.data(), count);
+  values.array() -= values.mean();
+  const float length = values.norm();
+  if (length < kFlat) return std::nullopt;
+  values /= length;
+
+  Eigen::Matrix<float, 6, Eigen::Dynamic> steepest(6, count);
+  Eigen::Matrix<float, 4, Eigen::Dynamic> photometric(4, count);
+  Eigen::Index i = 0;
+  for (int dy = -patch.radius_px_; dy <= patch.radius_px_; ++dy) {
+    for (int dx = -patch.radius_px_; dx <= patch.radius_px_; ++dx, ++i) {
+      const double x = pixel.x() + dx;
+      const double y = pixel.y() + dy;
+      const float gx = 0.5F * (valueAt(grey, x + 1, y) - valueAt(grey, x - 1, y)) / length;
+      const float gy = 0.5F * (valueAt(grey, x, y + 1) - valueAt(grey, x, y - 1)) / length;
+      const auto fx = static_cast<float>(dx);
+      const auto fy = static_cast<float>(dy);
+      steepest.col(i) << gx, gy, gx * fx, gy * fx, gx * fy, gy * fy;
+      photometric.col(i) << 1.0F, values[i], fx, fy;
+    }
+  }
+  projectOut(steepest, photometric);
+  const Eigen::Matrix<double, 6, 6> hessian = (steepest * steepest.transpose()).cast<double>();
+  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> solver(hessian);
+  if (!(solver.vectorD().minCoeff() > 1e-9)) return std::nullopt;
+  const Eigen::Matrix<double, 6, 6> inverse = solver.solve(Eigen::Matrix<double, 6, 6>::Identity());
+  patch.descent_ = inverse.cast<float>() * steepest;
+  // Both the reference and the other picture are noisy: twice the variance.
+  patch.sigma_per_noise_ =
+      std::sqrt(2.0 * 0.5 * (inverse(0, 0) + inverse(1, 1))) / static_cast<double>(length);
+  return patch;
+}
+
+std::optional<ReferencePatch::Alignment> ReferencePatch::align(const cv::Mat& grey,
+                                                               const PatchPlace& start) const {
+  const auto count = static_cast<Eigen::Index>(values_.size());
+  const Eigen::Map<const Eigen::RowVectorXf> reference(values_.data(), count);
+  Eigen::VectorXf seen(count);
+  Alignment result{start, 0.0};
+  for (int step = 0; step < kMostSteps; ++step) {
+    if (!inside(grey, result.place, radius_px_)) return std::nullopt;
+    sample(grey, result.place, radius_px_, seen.data());
+    seen.array() -= seen.mean();
+    const float length = seen.norm();
+    if (length < kFlat) return std::nullopt;
+    seen /= length;
+    const float contrast = reference * seen;
+    if (contrast < 0.2F) return std::nullopt;
+    result.correlation = static_cast<double>(contrast);
+    // T(dW(x)) = I(W(x)) solved for dW, then W becomes W o dW^-1.
+    const Eigen::Matrix<double, 6, 1> change = (descent_ * seen / contrast).cast<double>();
+    Eigen::Matrix2d shape_change;
+    shape_change << 1.0 + change[2], change[4], change[3], 1.0 + change[5];
+    if (std::abs(shape_change.determinant()) < 0.1) return std::nullopt;
+    result.place.shape = result.place.shape * shape_change.inverse();
+    const Eigen::Vector2d move = result.place.shape * change.head<2>();
+    result.place.pixel -= move;
+    if (!plausible(result.place.shape) ||
+        (result.place.pixel - start.pixel).squaredNorm() > kRunAway_px * kRunAway_px) {
+      return std::nullopt;
+    }
+    if (move.squaredNorm() < kSettled_px * kSettled_px) return result;
+  }
+  return result;
+}
+
+}  // namespace gyre
