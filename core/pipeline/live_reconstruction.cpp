@@ -132,9 +132,11 @@ bool LiveReconstruction::Impl::coversFullTurn() const {
 }
 
 bool LiveReconstruction::Impl::plausible(const EstimatedPoint& estimated) const {
+  // The platter's own texture scatters about its height: a point must be clearly above it.
+  const double z_sigma = std::sqrt(estimated.covariance(2, 2));
   return estimated.agreeing >= options_.recover.min_views &&
          estimated.chi2_per_freedom <= options_.cloud.max_chi2 &&
-         estimated.position_in_table.z() >= options_.track.min_height_mm;
+         estimated.position_in_table.z() - 2.0 * z_sigma >= options_.track.min_height_mm;
 }
 
 PointCloudPtr LiveReconstruction::Impl::cloudSoFar() const {

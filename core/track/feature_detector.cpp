@@ -8,6 +8,9 @@
 namespace gyre {
 namespace {
 
+// Variance of the filter's output for white noise of variance 1: 2 (3^2 + 10^2 + 3^2) / 32^2.
+constexpr double kScharrNoiseGain = 236.0 / 1024.0;
+
 // Smaller eigenvalue of the gradients' structure tensor summed over the window, per pixel.
 cv::Mat smallerEigenvalues(const cv::Mat& grey, int window_px) {
   cv::Mat dx;
@@ -59,6 +62,9 @@ std::vector<Feature> detectFeatures(const cv::Mat& grey, double noise_sigma, con
   }
 
   const double variance = 2.0 * noise_sigma * noise_sigma;
+  // Noise has gradients of its own: what Scharr's filter makes of it must not count as texture.
+  const double noise_part =
+      kScharrNoiseGain * noise_sigma * noise_sigma * options.window_px * options.window_px;
   const double floor = variance / (options.max_sigma_px * options.max_sigma_px);
   for (int cell_row = region.y / spacing; cell_row < rows; ++cell_row) {
     for (int cell_column = region.x / spacing; cell_column < columns; ++cell_column) {
@@ -69,6 +75,7 @@ std::vector<Feature> detectFeatures(const cv::Mat& grey, double noise_sigma, con
       double best = 0.0;
       cv::Point where;
       cv::minMaxLoc(smaller(cell - region.tl()), nullptr, &best, nullptr, &where, allowed(cell));
+      best -= noise_part;
       if (best < floor) continue;
       const cv::Point at = where + cell.tl();
       features.push_back({{at.x, at.y}, std::sqrt(variance / best)});

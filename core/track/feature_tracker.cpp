@@ -57,8 +57,9 @@ class FeatureTracker::Impl {
   struct ActiveTrack {
     MeasuredTrack measured;
     std::shared_ptr<const ReferencePatch> reference;  // null when its texture fixes no shape
-    double reference_angle_rad = 0.0;
-    PatchPlace place;  // in the view before
+    double begun_angle_rad = 0.0;                     // of the table
+    double reference_angle_rad = 0.0;                 // of the table
+    PatchPlace place;                                 // in the view before
 
     const Observation& last() const { return measured.track.observations.back(); }
   };
@@ -222,7 +223,8 @@ void FeatureTracker::Impl::advance(const FramePtr& frame, const GreyPyramid& now
     active.measured.sightings.push_back(sightingAt(view, active.place.pixel, sigma_px));
     active.measured.colours.push_back(colourAt(frame->image_bgr, active.place.pixel));
     active.measured.point = std::move(steps[i].point);
-    going_on.push_back(std::move(active));
+    const double turned_rad = frame->table_angle_rad - active.begun_angle_rad;
+    if (!standsStill(active.measured.track, turned_rad)) going_on.push_back(std::move(active));
   }
   active_ = std::move(going_on);
   parallelFor(active_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -261,7 +263,7 @@ void FeatureTracker::Impl::detect(const FramePtr& frame, const GreyPyramid& now,
     fresh.track.observations.push_back({view, feature.pixel, sigma_px});
     fresh.sightings.push_back(sightingAt(view, feature.pixel, sigma_px));
     fresh.colours.push_back(colourAt(frame->image_bgr, feature.pixel));
-    active_.push_back({std::move(fresh), nullptr, 0.0, {}});
+    active_.push_back({std::move(fresh), nullptr, frame->table_angle_rad, 0.0, {}});
   }
   parallelFor(features.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -273,7 +275,8 @@ void FeatureTracker::Impl::detect(const FramePtr& frame, const GreyPyramid& now,
 TrackedFrame FeatureTracker::Impl::marks(const FramePtr& frame) const {
   TrackedFrame tracked{frame, {}};
   tracked.marks.reserve(active_.size());
-  for (const auto& [active, reference, angle, place] : active_) {
+  for (const ActiveTrack& going_on : active_) {
+    const MeasuredTrack& active = going_on.measured;
     FeatureMark mark;
     mark.track_id = active.track.id;
     const auto& observations = active.track.observations;

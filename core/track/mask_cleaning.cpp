@@ -10,7 +10,7 @@ namespace {
 
 // A pixel counts when this share of its neighbourhood has changed: texture on texture leaves many
 // pixels of the object as they were by chance.
-constexpr double kLeastDensity = 0.4;
+constexpr double kLeastDensity = 0.3;
 // Parts below this share of the largest one are specks.
 constexpr double kLeastPart = 0.05;
 
@@ -62,10 +62,11 @@ cv::Mat cleanMask(const cv::Mat& changed, double max_hole_share) {
   cv::Mat density;
   cv::boxFilter(changed, density, CV_32F, {2 * radius + 1, 2 * radius + 1});
   cv::Mat solid = density > kLeastDensity * 255.0;
-  const cv::Mat disc =
-      cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
-  cv::morphologyEx(solid, solid, cv::MORPH_CLOSE, disc);
-  cv::morphologyEx(solid, solid, cv::MORPH_OPEN, disc);
+  const auto disc = [](int size) {
+    return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * size + 1, 2 * size + 1});
+  };
+  cv::morphologyEx(solid, solid, cv::MORPH_CLOSE, disc(2 * radius));
+  cv::morphologyEx(solid, solid, cv::MORPH_OPEN, disc(radius));
 
   const int largest = largestPart(solid);
   cv::Mat mask = cv::Mat::zeros(solid.size(), CV_8U);

@@ -10,6 +10,9 @@ namespace {
 
 // A live point this far off in its own standard deviations is lost: hidden, or slipped.
 constexpr double kLostSigma = 6.0;
+// What has not left this circle while the table turned this far stands in the room.
+constexpr double kStill_px = 0.7;
+constexpr double kTurnToTell_rad = 0.12;
 
 }  // namespace
 
@@ -40,6 +43,15 @@ bool fitsTurning(const ViewGeometry& view, std::size_t sightings_before, const S
   const double z_sigma = std::sqrt(point.covariance(2, 2));
   if (x.z() + 2.0 * z_sigma < options.min_height_mm) return false;
   return off_px <= options.max_epipolar_px && off <= kLostSigma * latest.sigma;
+}
+
+bool standsStill(const Track& track, double turned_rad) {
+  if (std::abs(turned_rad) < kTurnToTell_rad) return false;
+  const Eigen::Vector2d& first = track.observations.front().pixel;
+  for (const Observation& seen : track.observations) {
+    if ((seen.pixel - first).squaredNorm() > kStill_px * kStill_px) return false;
+  }
+  return true;
 }
 
 }  // namespace gyre

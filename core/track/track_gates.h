@@ -8,6 +8,7 @@
 #include "core/geometry/rigid3.h"
 #include "core/recover/point_estimator.h"
 #include "core/scan/frame.h"
+#include "core/scan/track.h"
 #include "core/track/options.h"
 #include "core/track/search_volume.h"
 
@@ -28,5 +29,9 @@ struct ViewGeometry {
 // there were without the latest.
 bool fitsTurning(const ViewGeometry& view, std::size_t sightings_before, const Sighting& latest,
                  const EstimatedPoint& point, const TrackOptions& options);
+
+// Whether a track of many views has not moved in the picture while the table turned: part of the
+// room, which could pass for a point of the axis. turned_rad: from its first view to its last.
+bool standsStill(const Track& track, double turned_rad);
 
 }  // namespace gyre

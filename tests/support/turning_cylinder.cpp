@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/geometry/ray.h"
@@ -47,12 +48,12 @@ double shade(const TurningCylinder& world, const Ray& ray_in_table, const Ray& r
                                 ? x.x()
                                 : std::atan2(x.y(), x.x()) * world.radius_mm + 500.0;
       const double along = x.z() > world.height_mm - 1e-6 ? x.y() : x.z();
-      return 150.0 + 90.0 * world.contrast * pattern(across / 1.3, along / 1.3, world.seed);
+      return 150.0 + 90.0 * world.contrast * pattern(across / 1.6, along / 1.6, world.seed);
     }
   }
   const auto platter = meetHorizontalPlane(ray_in_table, 0.0);
   if (platter && platter->head<2>().norm() < world.platter_radius_mm) {
-    return 110.0 + 70.0 * pattern(platter->x() / 2.0, platter->y() / 2.0, world.seed + 1);
+    return 110.0 + 70.0 * pattern(platter->x() / 4.0, platter->y() / 4.0, world.seed + 1);
   }
   // A wall 300 mm behind the axis, standing still.
   const double distance = (-300.0 - ray_in_base.origin.x()) / ray_in_base.direction.x();
@@ -69,24 +70,24 @@ Frame picture(const TurningCylinder& world, double table_angle_rad, Contents con
   frame.table_angle_rad = table_angle_rad;
   frame.image_bgr.create(camera.height_px, camera.width_px, CV_8UC3);
   const auto turn = static_cast<std::uint64_t>(std::llround(table_angle_rad * 1e6));
-  Random random(hashWords({world.seed, turn, contents == Contents::kCylinder ? 1U : 0U}));
-  for (int row = 0; row < camera.height_px; ++row) {
-    for (int column = 0; column < camera.width_px; ++column) {
-      double sum = 0.0;
-      for (int sample = 0; sample < 4; ++sample) {
-        const Eigen::Vector2d pixel(column - 0.25 + 0.5 * (sample % 2),
-                                    row - 0.25 + 0.5 * (sample / 2));
+  const auto rows = static_cast<std::size_t>(camera.height_px);
+  parallelFor(rows, 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      Random random(hashWords({world.seed, turn, contents == Contents::kCylinder ? 1U : 0U, row}));
+      auto* line = frame.image_bgr.ptr<cv::Vec3b>(static_cast<int>(row));
+      for (int column = 0; column < camera.width_px; ++column) {
+        const Eigen::Vector2d pixel(column, static_cast<double>(row));
         const Ray in_base{base_from_cam.translation,
                           base_from_cam.rotation * camera.rayInCam(pixel)};
         const Ray in_table{table_from_base * in_base.origin,
                            table_from_base.rotation * in_base.direction};
-        sum += shade(world, in_table, in_base, contents);
+        const double value =
+            shade(world, in_table, in_base, contents) + world.noise_sigma * random.gaussian();
+        const auto grey = static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
+        line[column] = {grey, grey, grey};
       }
-      const double value = sum / 4.0 + world.noise_sigma * random.gaussian();
-      const auto grey = static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
-      frame.image_bgr.at<cv::Vec3b>(row, column) = {grey, grey, grey};
     }
-  }
+  });
   return frame;
 }
 
