@@ -18,7 +18,7 @@ sigset_t stopSignals() {
   return signals;
 }
 
-void listen(const std::stop_token& ended, std::stop_source stop) {
+void listen(const std::stop_token& ended, const std::stop_source& stop) {
   const sigset_t signals = stopSignals();
   const timespec poll{0, kPoll_ns};
   while (!ended.stop_requested()) {

@@ -74,8 +74,8 @@ ControlState lockControl(cv::VideoCapture& capture, const Control& control) {
 
 class OpenCvSource final : public FrameSource {
  public:
-  OpenCvSource(cv::VideoCapture capture, std::string name, bool stream)
-      : capture_(std::move(capture)), stream_(stream) {
+  OpenCvSource(const cv::VideoCapture& capture, std::string name, bool stream)
+      : capture_(capture), stream_(stream) {
     info_.description = std::move(name);
     readMode();
   }
