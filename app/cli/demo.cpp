@@ -15,6 +15,7 @@
 #include "app/rig.h"
 #include "app/scan_run.h"
 #include "core/base/clock.h"
+#include "core/device/streaming_camera.h"
 #include "core/io/scan_store.h"
 #include "core/sim/object_models.h"
 #include "core/sim/rig_json.h"
@@ -42,7 +43,10 @@ ScanSettings settingsFor(const RigSettings& rig, int views) {
 Result<Reconstruction> scan(Rig& rig, ScanStore& store, const Task& task) {
   task.report(0.0, "Taking a picture of the empty table");
   if (const auto taken = takeEmptyTable(rig, store, task); !taken) return taken.error();
-  return runScan(*rig.turntable, *rig.camera, store, task);
+  auto points = runScan(*rig.turntable, *rig.camera, store, task);
+  const auto* camera = dynamic_cast<const StreamingCamera*>(rig.camera.get());
+  if (points && camera != nullptr) points->seconds["render"] = camera->decodingSeconds();
+  return points;
 }
 
 int run(const Words& words, Console& console, const Task& task) {

@@ -89,6 +89,11 @@ CameraInfo StreamingCamera::info() const {
   return info_;
 }
 
+double StreamingCamera::decodingSeconds() const {
+  const std::scoped_lock lock(mutex_);
+  return decoding_s_;
+}
+
 void StreamingCamera::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     serveControls();
@@ -153,7 +158,9 @@ bool StreamingCamera::wanted() const {
 }
 
 bool StreamingCamera::publish() {
+  const double start_s = steadySeconds();
   Result<Frame> frame = source_->retrieve();
+  const double taken_s = steadySeconds() - start_s;
   if (!frame) {
     if (++broken_pictures_ < kMaxBrokenPictures) return true;
     fail(frame.error());
@@ -161,6 +168,7 @@ bool StreamingCamera::publish() {
   }
   broken_pictures_ = 0;
   const std::scoped_lock lock(mutex_);
+  decoding_s_ += taken_s;
   latest_ = {std::make_shared<const Frame>(std::move(frame).value()), exposed_after_s_};
   changed_.notify_all();
   return true;

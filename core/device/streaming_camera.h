@@ -43,6 +43,9 @@ class StreamingCamera final : public Camera {
   Result<CameraInfo> lockControls() override;
   CameraInfo info() const override;
 
+  // Spent on decoding so far; on rendering, where the camera is simulated.
+  double decodingSeconds() const;
+
  private:
   // A decoded picture and a moment before which its exposure did not begin.
   struct Picture {
@@ -72,6 +75,7 @@ class StreamingCamera final : public Camera {
   std::condition_variable_any changed_;
   CameraInfo info_;
   Picture latest_;
+  double decoding_s_ = 0.0;
   std::optional<Error> failure_;  // the thread has ended
   double last_arrival_s_;
   std::multiset<double> waits_s_;  // the moments that somebody waits for
