@@ -1,0 +1,125 @@
+// A whole `gyre scan` over a serial port and a network camera, as on real devices: the port is a
+// pseudo terminal with the simulated firmware behind it, the camera an HTTP server on loopback.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/cli/command_line.h"
+#include "core/io/calibration_file.h"
+#include "core/io/picture_file.h"
+#include "core/io/scan_store.h"
+#include "core/pipeline/settling.h"
+#include "core/sim/renderer.h"
+#include "core/sim/turntable_firmware.h"
+#include "tests/support/mjpeg_server.h"
+#include "tests/support/pty_port.h"
+#include "tests/support/temp_dir.h"
+
+namespace gyre {
+namespace {
+
+constexpr int kViews = 12;
+
+struct Answer {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+Answer gyre(const std::vector<std::string>& words) {
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, ProgressStyle::kLines);
+  const int code = runCommandLine(words, console, {});
+  return {code, out.str(), err.str()};
+}
+
+// A turntable and a camera that the program can only reach as it reaches real ones.
+class Room {
+ public:
+  Room()
+      : shaft_(std::make_shared<Shaft>()),
+        firmware_({}, shaft_, SimClock(20.0)),
+        renderer_(atImageWidth(RigSettings{}, 320)),
+        camera_(
+            [this](int) { return renderer_.render(shaft_->steps(), TableLoad::kObject).image_bgr; },
+            15.0) {
+    auto device = PtyPort::make();
+    port_ = device->path();
+    device->onOpened([this] { firmware_.pressReset(); });
+    firmware_.attach(std::move(device));
+  }
+
+  const std::string& port() const { return port_; }
+  std::string cameraUrl() const { return camera_.url(); }
+  const Renderer& renderer() const { return renderer_; }
+  TurntableFirmware& firmware() { return firmware_; }
+
+ private:
+  std::shared_ptr<Shaft> shaft_;
+  TurntableFirmware firmware_;
+  Renderer renderer_;
+  std::string port_;
+  test::MjpegServer camera_;
+};
+
+std::vector<std::string> scanWords(const Room& room, const TempDir& temp) {
+  const auto calibration = temp / "calibration.json";
+  const auto empty = temp / "empty.png";
+  EXPECT_TRUE(writeCalibration(calibration, trueCalibration(room.renderer().rig())));
+  EXPECT_TRUE(writePicture(empty, room.renderer().render(0, TableLoad::kEmpty).image_bgr));
+  return {"scan",       "--turntable",          room.port(),
+          "--camera",   room.cameraUrl(),       "--calibration",
+          calibration,  "--background",         empty,
+          "--views",    std::to_string(kViews), "--out",
+          temp / "scan"};
+}
+
+TEST(RealPortScan, CapturesEveryViewAtRest) {
+  Room room;
+  const TempDir temp;
+  const Answer answer = gyre(scanWords(room, temp));
+  const auto store = ScanStore::open(temp / "scan");
+  ASSERT_TRUE(store) << answer.err;
+  ASSERT_TRUE(store->complete()) << answer.err;
+  EXPECT_TRUE(std::filesystem::exists(temp / "scan" / "points.ply")) << answer.err;
+  EXPECT_THAT(answer.err, testing::HasSubstr("focus is not locked"));
+  for (const CapturedView& view : store->views()) {
+    const Frame truth = room.renderer().render(view.steps, TableLoad::kObject);
+    EXPECT_FALSE(somethingMoved(store->readView(view).value()->image_bgr, truth.image_bgr))
+        << "view " << view.view;
+  }
+}
+
+TEST(RealPortScan, EndsWithASentenceWhenThePortVanishes) {
+  Room room;
+  const TempDir temp;
+  std::jthread puller([&] {
+    const auto journal = temp / "scan" / "journal.jsonl";
+    for (int i = 0; i < 3000; ++i) {
+      const std::string lines = fileText(journal);
+      if (std::count(lines.begin(), lines.end(), '\n') >= 2) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    room.firmware().pullCable();
+  });
+  const Answer answer = gyre(scanWords(room, temp));
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.err, testing::HasSubstr("views are kept; `gyre resume"));
+  const auto store = ScanStore::open(temp / "scan");
+  ASSERT_TRUE(store);
+  EXPECT_GE(store->views().size(), 2U);
+  EXPECT_FALSE(store->complete());
+}
+
+}  // namespace
+}  // namespace gyre
