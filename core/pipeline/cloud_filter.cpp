@@ -79,10 +79,13 @@ void SilhouetteRecord::addView(const cv::Mat& mask, double table_angle_rad) {
   views_.push_back(std::move(view));
 }
 
-double SilhouetteRecord::outsideShare(const Eigen::Vector3d& point_in_table) const {
+double SilhouetteRecord::outsideShare(const Eigen::Vector3d& point_in_table,
+                                      std::size_t most_views) const {
+  const std::size_t stride = (views_.size() + most_views - 1) / most_views;
   int inside_picture = 0;
   int outside = 0;
-  for (const View& view : views_) {
+  for (std::size_t i = 0; i < views_.size(); i += stride) {
+    const View& view = views_[i];
     const auto pixel = calibration_.camera.project(view.cam_from_table * point_in_table);
     if (!pixel || !calibration_.camera.contains(*pixel)) continue;
     const int column = std::min(static_cast<int>(pixel->x()) / kShrink, view.mask.cols - 1);
@@ -94,7 +97,7 @@ double SilhouetteRecord::outsideShare(const Eigen::Vector3d& point_in_table) con
 }
 
 std::vector<std::uint8_t> judgePoints(const PointCloud& cloud, const SilhouetteRecord& silhouettes,
-                                      const CloudOptions& options) {
+                                      const CloudOptions& options, Scrutiny scrutiny) {
   std::vector<std::uint8_t> keep(cloud.points.size(), 1);
   if (keep.empty()) return keep;
   const double size_mm = robustSize(cloud);
@@ -102,7 +105,8 @@ std::vector<std::uint8_t> judgePoints(const PointCloud& cloud, const SilhouetteR
     for (std::size_t i = begin; i < end; ++i) {
       const Point& point = cloud.points[i];
       if (point.sigmaMm() > options.max_sigma_share * size_mm ||
-          silhouettes.outsideShare(point.position) > options.max_outside) {
+          silhouettes.outsideShare(point.position, static_cast<std::size_t>(scrutiny)) >
+              options.max_outside) {
         keep[i] = 0;
       }
     }

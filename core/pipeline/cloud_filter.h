@@ -22,8 +22,8 @@ class SilhouetteRecord {
   void addView(const cv::Mat& mask, double table_angle_rad);
 
   // Share of the views in whose picture the point lies but misses the object's mask: a point of the
-  // object does in none.
-  double outsideShare(const Eigen::Vector3d& point_in_table) const;
+  // object does in none. Asks at most so many views, spread evenly.
+  double outsideShare(const Eigen::Vector3d& point_in_table, std::size_t most_views) const;
 
  private:
   struct View {
@@ -34,8 +34,12 @@ class SilhouetteRecord {
   std::vector<View> views_;
 };
 
+// How many views are asked about each point: a glance while the table turns, all of them at the
+// end.
+enum class Scrutiny : std::size_t { kGlance = 20, kFull = 100000 };
+
 // 1 for every point to keep: certain enough, inside the outlines, and in company.
 std::vector<std::uint8_t> judgePoints(const PointCloud& cloud, const SilhouetteRecord& silhouettes,
-                                      const CloudOptions& options);
+                                      const CloudOptions& options, Scrutiny scrutiny);
 
 }  // namespace gyre

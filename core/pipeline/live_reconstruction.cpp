@@ -10,6 +10,7 @@
 #include "core/base/clock.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
+#include "core/mesh/point_normals.h"
 #include "core/pipeline/cloud_filter.h"
 #include "core/track/empty_table_mask.h"
 #include "core/track/feature_tracker.h"
@@ -60,6 +61,24 @@ Point pointOf(const MeasuredTrack& track, const EstimatedPoint& estimated) {
     }
   }
   return point;
+}
+
+// For each point the mean direction to the cameras that saw it, in the table frame.
+std::vector<Eigen::Vector3d> directionsToCameras(
+    const PointCloud& cloud, const std::vector<Rigid3>& cam_from_table_of_view) {
+  std::vector<Eigen::Vector3d> centres;
+  centres.reserve(cam_from_table_of_view.size());
+  for (const Rigid3& pose : cam_from_table_of_view) centres.push_back(pose.inverse().translation);
+  std::vector<Eigen::Vector3d> directions;
+  directions.reserve(cloud.points.size());
+  for (const Point& point : cloud.points) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const std::uint32_t view : point.views) {
+      sum += (centres[view] - point.position).normalized();
+    }
+    directions.push_back(sum);
+  }
+  return directions;
 }
 
 double median(std::vector<double> values) {
@@ -146,7 +165,7 @@ PointCloudPtr LiveReconstruction::Impl::cloudSoFar() const {
     if (estimated.parallax_rad < kShownParallax_rad || !plausible(estimated)) continue;
     cloud.points.push_back(pointOf(*track, estimated));
   }
-  const auto keep = judgePoints(cloud, silhouettes_, options_.cloud);
+  const auto keep = judgePoints(cloud, silhouettes_, options_.cloud, Scrutiny::kGlance);
   auto kept = std::make_shared<PointCloud>();
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (keep[i] != 0) kept->points.push_back(std::move(cloud.points[i]));
@@ -197,7 +216,7 @@ Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const 
     result.cloud.points.push_back(pointOf(*candidate.track, *candidate.estimated));
     plausibles.push_back(std::move(candidate));
   }
-  const auto keep = judgePoints(result.cloud, silhouettes_, options_.cloud);
+  const auto keep = judgePoints(result.cloud, silhouettes_, options_.cloud, Scrutiny::kFull);
   if (task.stopRequested()) return cancelled();
   std::vector<Candidate> accepted;
   PointCloud kept;
@@ -207,6 +226,8 @@ Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const 
     accepted.push_back(std::move(plausibles[i]));
   }
   result.cloud = std::move(kept);
+  const auto towards_camera = directionsToCameras(result.cloud, tracker_.estimator().poses());
+  if (auto set = setPointNormals(result.cloud, towards_camera, {}, task); !set) return set.error();
   measureResiduals(accepted, result);
   if (coversFullTurn()) result.turn_gap = tracker_.turnGap();
   result.seconds = {
