@@ -32,7 +32,11 @@ Distorted distort(const CameraModel& camera, const Eigen::Vector2d& normalized) 
 
 std::optional<Eigen::Vector2d> CameraModel::project(const Eigen::Vector3d& point_in_cam) const {
   if (!(point_in_cam.z() > 0.0)) return std::nullopt;
-  return pixelFromNormalized(point_in_cam.head<2>() / point_in_cam.z());
+  const Eigen::Vector2d normalized = point_in_cam.head<2>() / point_in_cam.z();
+  // Far outside the picture the polynomial folds back into it: no lens images those points there.
+  const double r2 = normalized.squaredNorm();
+  if (1.0 + r2 * (3.0 * k1 + r2 * (5.0 * k2 + r2 * 7.0 * k3)) <= 0.0) return std::nullopt;
+  return pixelFromNormalized(normalized);
 }
 
 Eigen::Vector2d CameraModel::pixelFromNormalized(const Eigen::Vector2d& normalized) const {

@@ -71,5 +71,14 @@ TEST(CameraModel, GivesNothingForPointsBehindTheCamera) {
   EXPECT_FALSE(distortedCamera().project({0, 0, 0}));
 }
 
+TEST(CameraModel, DoesNotFoldPointsFarAsideIntoThePicture) {
+  CameraModel camera;
+  camera.fx = camera.fy = 1000;
+  camera.k1 = -0.08;
+  // At x = 3.5 the polynomial gives 3.5 (1 - 0.98) = 0.07: nearly the middle of the picture.
+  EXPECT_FALSE(camera.project({350, 0, 100}));
+  EXPECT_TRUE(camera.project({50, 0, 100}));
+}
+
 }  // namespace
 }  // namespace gyre
