@@ -13,7 +13,8 @@ constexpr std::size_t kFramesPerCount = 5;  // counting the points costs more th
 
 }  // namespace
 
-LiveFeed::LiveFeed(LiveReconstruction reconstruction) : reconstruction_(std::move(reconstruction)) {
+LiveFeed::LiveFeed(LiveReconstruction reconstruction, Watcher watcher)
+    : watcher_(std::move(watcher)), reconstruction_(std::move(reconstruction)) {
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -68,8 +69,13 @@ void LiveFeed::run(const std::stop_token& stop) {
 }
 
 Result<std::size_t> LiveFeed::addFrame(const FramePtr& frame) try {
-  const auto tracked = reconstruction_.addFrame(frame);
+  auto tracked = reconstruction_.addFrame(frame);
   if (!tracked) return tracked.error();
+  if (watcher_) {
+    const PointCloudPtr cloud = reconstruction_.cloudSoFar();
+    watcher_(std::move(tracked).value(), cloud);
+    return cloud->points.size();
+  }
   if (frames_++ % kFramesPerCount != 0) return pointsSoFar();
   return reconstruction_.cloudSoFar()->points.size();
 } catch (const std::exception& problem) {

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -13,13 +14,18 @@
 #include "core/base/task.h"
 #include "core/pipeline/live_reconstruction.h"
 #include "core/scan/frame.h"
+#include "core/scan/point_cloud.h"
+#include "core/scan/tracked_frame.h"
 
 namespace gyre {
 
 // One thread pushes and finishes.
 class LiveFeed {
  public:
-  explicit LiveFeed(LiveReconstruction reconstruction);
+  // Called in the feed's thread after each frame, with the points so far.
+  using Watcher = std::function<void(TrackedFrame frame, const PointCloudPtr& cloud)>;
+
+  explicit LiveFeed(LiveReconstruction reconstruction, Watcher watcher = {});
   ~LiveFeed();  // what still waits is dropped
   LiveFeed(const LiveFeed&) = delete;
   LiveFeed& operator=(const LiveFeed&) = delete;
@@ -37,6 +43,7 @@ class LiveFeed {
   void run(const std::stop_token& stop);
   Result<std::size_t> addFrame(const FramePtr& frame);  // gives the points so far
 
+  const Watcher watcher_;
   LiveReconstruction reconstruction_;  // of the thread, until it is idle in finish()
   std::size_t frames_ = 0;             // likewise
   mutable std::mutex mutex_;

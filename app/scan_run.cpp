@@ -68,16 +68,29 @@ Task withPoints(const Task& task, const LiveFeed& feed) {
 
 Result<Reconstruction> runScan(Turntable& turntable, Camera& camera, ScanStore& store,
                                const Task& task) {
+  return runScan(turntable, camera, store, ScanObserver{}, task);
+}
+
+Result<Reconstruction> runScan(Turntable& turntable, Camera& camera, ScanStore& store,
+                               const ScanObserver& observer, const Task& task) {
   Result<LiveReconstruction> reconstruction = startReconstruction(store);
   if (!reconstruction) return reconstruction.error();
-  LiveFeed feed(std::move(reconstruction).value());
+  LiveFeed feed(std::move(reconstruction).value(), observer.on_tracked);
   OrderedFeed ordered(feed, store);
+  if (observer.on_begin) {
+    observer.on_begin(static_cast<int>(store.views().size()), store.settings().views);
+  }
   const double start_s = steadySeconds();
   const auto acquired = acquire(
-      turntable, camera, store, [&](const FramePtr& frame) { ordered.pushNew(frame); },
+      turntable, camera, store,
+      [&](const FramePtr& frame) {
+        ordered.pushNew(frame);
+        if (observer.on_view) observer.on_view(frame, task);
+      },
       withPoints(task.part(0.0, 0.9), feed));
   if (!acquired) return acquired.error();
   ordered.pushRest();
+  if (observer.on_captured) observer.on_captured();
   const double acquired_s = steadySeconds() - start_s;
   // The motor has done its work; that it cannot be released does not spoil the scan.
   (void)turntable.release();

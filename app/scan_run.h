@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
+#include "app/live_feed.h"
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/device/camera.h"
@@ -11,12 +14,26 @@
 
 namespace gyre {
 
+// Who watches a scan: each is called where something has happened, or not set.
+struct ScanObserver {
+  // Before the first move: how many views are there already.
+  std::function<void(int views_done, int views)> on_begin;
+  // In the scan's thread, when a view is safe on the disk. May block: the table waits.
+  std::function<void(const FramePtr& frame, const Task& task)> on_view;
+  // In the reconstruction's thread, after each view, with the points so far.
+  LiveFeed::Watcher on_tracked;
+  // When all views are captured and only the reconstruction goes on.
+  std::function<void()> on_captured;
+};
+
 // Captures what the store does not hold yet and reconstructs the whole scan, frames that were
 // captured earlier included and in their order: a scan that was cut off and resumed gives the same
 // points as one that was not. The motor is released at the end. On failure, and when stopped, what
 // was captured stays in the store.
 Result<Reconstruction> runScan(Turntable& turntable, Camera& camera, ScanStore& store,
                                const Task& task);
+Result<Reconstruction> runScan(Turntable& turntable, Camera& camera, ScanStore& store,
+                               const ScanObserver& observer, const Task& task);
 
 // The same when all views are captured: no device is needed.
 Result<Reconstruction> reconstructScan(const ScanStore& store, const Task& task);
