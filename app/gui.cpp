@@ -1,0 +1,132 @@
+// The program with a window.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui.h"
+
+#include <cstdio>
+#include <utility>
+
+#include <QApplication>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "app/settings.h"
+#include "app/workbench.h"
+#include "ui/scene_canvas.h"
+#include "ui/scene_view.h"
+#include "ui/theme.h"
+#include "ui/work_page.h"
+
+namespace gyre {
+namespace {
+
+bool hasDisplay() {
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
+int failWith(const char* sentence) {
+  std::fprintf(stderr, "gyre: %s\n", sentence);
+  return 1;
+}
+
+// The scan of a screenshot: a real one on the simulated rig, but with its clock run fast.
+constexpr int kPictureViews = 72;
+constexpr double kPictureShare = 0.6;
+constexpr double kPictureSpeed = 20.0;
+constexpr int kPatience_ms = 600000;
+
+// Draws the scene and ends the program's event loop with 0, or with 1 when it cannot.
+class Photographer final : public QObject {
+ public:
+  Photographer(Workbench& bench, const GuiOptions& options)
+      : bench_(bench), file_(QString::fromStdString(options.screenshot.string())) {
+    bench_.window().show();
+    QTimer::singleShot(kPatience_ms, this, [] { QApplication::exit(1); });
+    connect(&bench_.controller(), &ScanController::failed, this, [](const Error& error) {
+      std::fprintf(stderr, "gyre: %s\n", error.sentence().c_str());
+    });
+    if (options.scene == "start") {
+      QTimer::singleShot(500, this, [this] { take(); });
+      return;
+    }
+    const QString folder = work_.filePath("duck");
+    bench_.runDemo("duck", kPictureViews, folder);
+    if (options.scene == "scan") {
+      connect(&bench_.controller(), &ScanController::factsChanged, this,
+              [this](const ScanFacts& facts) {
+                if (facts.views_done >= kPictureShare * kPictureViews) takeSoon();
+              });
+    } else {
+      connect(&bench_.controller(), &ScanController::meshMade, this, [this] {
+        bench_.window().work_page->scene_view->fit();
+        takeSoon();
+      });
+    }
+  }
+
+ private:
+  // After what the same news has changed elsewhere was painted.
+  void takeSoon() {
+    if (std::exchange(asked_, true)) return;
+    QTimer::singleShot(100, this, [this] { take(); });
+  }
+  void take() {
+    bench_.window().work_page->scene_view->picture();
+    saved_ = bench_.window().grab().save(file_);
+    connect(&bench_.controller(), &ScanController::quiet, this,
+            [this] { QApplication::exit(saved_ ? 0 : 1); });
+    bench_.controller().shutDown();
+  }
+
+  Workbench& bench_;
+  QString file_;
+  QTemporaryDir work_;
+  bool asked_ = false;
+  bool saved_ = false;
+};
+
+int takeScreenshot(const GuiOptions& options) {
+  RigOptions rig;
+  rig.sim_speed = kPictureSpeed;
+  applyTheme(*qApp, ThemeChoice::kLight);
+  Workbench bench(rig);
+  const Photographer photographer(bench, options);
+  if (QApplication::exec() == 0) return 0;
+  return failWith("The picture could not be made. Is its folder writable?");
+}
+
+}  // namespace
+
+int runGui(int argc, char** argv, const GuiOptions& options) {
+  const bool pictures = !options.screenshot.empty();
+  if (pictures && options.scene != "start" && options.scene != "scan" && options.scene != "mesh") {
+    failWith("There is no such scene. Give --scene start, scan or mesh.");
+    return 2;
+  }
+  if (pictures && !hasDisplay()) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (!hasDisplay()) {
+    return failWith(
+        "There is no display to open a window on. `gyre demo --out DIR` and the other commands "
+        "work without one; see `gyre --help`.");
+  }
+  setDefaultSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setApplicationName("gyre");
+  QApplication::setApplicationDisplayName("Gyre");
+  QApplication::setDesktopFileName("gyre");
+  if (pictures) return takeScreenshot(options);
+
+  applyTheme(application, Settings().theme());
+  RigOptions rig;
+  rig.sim_speed = 1.0;
+  Workbench bench(rig);
+  bench.window().show();
+  const std::stop_callback close_window(options.stop, [&bench] {
+    QMetaObject::invokeMethod(&bench.window(), &QWidget::close, Qt::QueuedConnection);
+  });
+  if (!options.open.empty()) bench.open(QString::fromStdString(options.open.string()));
+  return QApplication::exec();
+}
+
+}  // namespace gyre

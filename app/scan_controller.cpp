@@ -1,0 +1,388 @@
+// Where a scan stands and what may happen next: the one place that decides.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scan_controller.h"
+
+#include <atomic>
+#include <utility>
+
+#include "app/pause_gate.h"
+#include "core/io/calibration_file.h"
+#include "core/io/obj.h"
+#include "core/io/ply.h"
+#include "core/mesh/alpha_shape.h"
+#include "core/mesh/mesh_health.h"
+#include "core/sim/rig.h"
+
+namespace gyre {
+
+struct ScanController::Live {
+  std::atomic<int> views_done = 0;
+  std::atomic<int> views_before = 0;
+  std::atomic<int> views = 0;
+  PauseGate gate;
+  struct Update {
+    TrackedFramePtr frame;
+    PointCloudPtr cloud;
+    std::optional<double> median_sigma_mm;
+  };
+  Latest<Update> newest;
+};
+
+struct ScanController::Outcome {
+  PointCloudPtr cloud;
+  MeshPtr mesh;
+  MeshHealth health;
+  std::optional<Error> mesh_problem;
+  std::filesystem::path folder;
+};
+
+ScanController::ScanController(RigOptions options, QObject* parent)
+    : QObject(parent), devices_(std::move(options)), compute_jobs_("gyre-compute") {
+  connect(&devices_, &DeviceSession::opened, this, &ScanController::devicesOpened);
+  connect(&devices_, &DeviceSession::closed, this, &ScanController::devicesClosed);
+  connect(&devices_, &DeviceSession::openFailed, this, [this](const Error& error) {
+    setPhase(ScanPhase::kIdle);
+    if (error.code != Error::Code::kCancelled) Q_EMIT failed(error);
+  });
+  connect(&devices_, &DeviceSession::failed, this, &ScanController::failed);
+  connect(&devices_, &DeviceSession::progressed, this, &ScanController::progressed);
+  connect(&compute_jobs_, &JobRunner::progressed, this, &ScanController::progressed);
+  connect(&devices_, &DeviceSession::idle, this, &ScanController::noteIdle);
+  connect(&compute_jobs_, &JobRunner::idle, this, &ScanController::noteIdle);
+}
+
+ScanController::~ScanController() {
+  if (live_) live_->gate.open();
+}
+
+void ScanController::setPhase(ScanPhase phase) {
+  if (phase == phase_) return;
+  phase_ = phase;
+  Q_EMIT phaseChanged(phase);
+}
+
+bool ScanController::refuse(const QString& what, const QString& advice) {
+  Q_EMIT failed({Error::Code::kRejected, what.toStdString(), advice.toStdString()});
+  return false;
+}
+
+void ScanController::devicesOpened(const TurntableInfo& turntable) {
+  Q_EMIT logged(tr("Connected: %1 on %2, camera %3")
+                    .arg(QString::fromStdString(turntable.firmware), devices_.turntableWord(),
+                         devices_.cameraWord()));
+  empty_table_ = nullptr;
+  const SimulatedRoom* room = devices_.rig()->room.get();
+  if (room != nullptr && room->camera != nullptr) {
+    calibration_ = trueCalibration(room->settings);
+    Q_EMIT calibrationKnown(*calibration_, tr("The simulated rig's own calibration."));
+  }
+  setPhase(ScanPhase::kReady);
+}
+
+void ScanController::devicesClosed() {
+  Q_EMIT logged(tr("Disconnected"));
+  setPhase(ScanPhase::kIdle);
+}
+
+void ScanController::useCalibration(const std::filesystem::path& file) {
+  auto read = readCalibration(file);
+  if (!read) {
+    Q_EMIT failed(read.error());
+    return;
+  }
+  calibration_ = std::move(read).value();
+  Q_EMIT calibrationKnown(*calibration_, QString::fromStdString(file.string()));
+}
+
+void ScanController::takeEmptyTable() {
+  if (!devices_.isOpen() || isCapturing(phase_)) return;
+  const ScanPhase before = phase_;
+  setPhase(ScanPhase::kEmptyTable);
+  auto picture = std::make_shared<FramePtr>();
+  devices_.runAlone(
+      [rig = devices_.rig(), picture](const Task& task) -> Result<void> {
+        auto taken = pictureOfEmptyTable(*rig, task);
+        if (!taken) return taken.error();
+        *picture = std::move(taken).value();
+        return {};
+      },
+      [this, before, picture](const Result<void>& outcome) {
+        setPhase(before);
+        if (!outcome) {
+          if (outcome.error().code != Error::Code::kCancelled) Q_EMIT failed(outcome.error());
+          return;
+        }
+        empty_table_ = *picture;
+        Q_EMIT emptyTableTaken();
+      });
+}
+
+bool ScanController::readyToScan() {
+  if (isCapturing(phase_) || phase_ == ScanPhase::kFinishing) return false;
+  if (!devices_.isOpen()) {
+    return refuse(tr("Nothing is connected."), tr("Connect a turntable and a camera (step 1)."));
+  }
+  if (!devices_.mayMove()) {
+    return refuse(tr("The table may not be moved yet."),
+                  tr("Say first that this device is your turntable (step 1)."));
+  }
+  if (!calibration_ || !calibration_->cam_from_table) {
+    return refuse(tr("The camera's place at the table is not known."),
+                  tr("Open a calibration made with this camera and table (step 2)."));
+  }
+  return true;
+}
+
+void ScanController::startScan(const ScanRequest& request) {
+  if (readyToScan()) run(ScanBegin::kNew, request);
+}
+
+void ScanController::resumeScan() {
+  if (folder_.empty() || !readyToScan()) return;
+  ScanRequest request;
+  request.folder = folder_;
+  const bool in_place = stopped_rig_.lock() == devices_.rig();
+  run(in_place ? ScanBegin::kResumedInPlace : ScanBegin::kResumed, request);
+}
+
+void ScanController::run(ScanBegin begin, const ScanRequest& request) {
+  auto live = std::make_shared<Live>();
+  auto result = std::make_shared<Outcome>();
+  live_ = live;
+  folder_ = request.folder;
+  mesh_ = nullptr;
+  facts_ = {};
+  facts_.views = request.views;
+  clock_.start();
+  paused_ms_ = 0;
+
+  ScanPlan plan;
+  plan.folder = request.folder;
+  plan.begin = begin;
+  plan.settings.title = request.title.toStdString();
+  plan.settings.turntable = devices_.turntableWord().toStdString();
+  plan.settings.camera = devices_.cameraWord().toStdString();
+  plan.settings.views = request.views;
+  plan.calibration = *calibration_;
+  plan.empty_table = empty_table_;
+
+  ScanObserver observer;
+  observer.on_begin = [this, live](int views_done, int views) {
+    live->views_done = views_done;
+    live->views_before = views_done;
+    live->views = views;
+    QMetaObject::invokeMethod(this, &ScanController::deliver, Qt::QueuedConnection);
+  };
+  observer.on_view = [live](const FramePtr&, const Task& task) {
+    ++live->views_done;
+    live->gate.wait(task.stopToken());
+  };
+  observer.on_tracked = [this, live](TrackedFrame frame, const PointCloudPtr& cloud) {
+    Live::Update update{std::make_shared<const TrackedFrame>(std::move(frame)), cloud,
+                        medianSigmaMm(*cloud)};
+    if (live->newest.put(std::move(update))) {
+      QMetaObject::invokeMethod(this, &ScanController::deliver, Qt::QueuedConnection);
+    }
+  };
+  observer.on_captured = [this] {
+    QMetaObject::invokeMethod(
+        this, [this] { setPhase(ScanPhase::kFinishing); }, Qt::QueuedConnection);
+  };
+  stopped_rig_.reset();
+  setPhase(ScanPhase::kScanning);
+  Q_EMIT factsChanged(facts_);
+  Q_EMIT logged(tr("Scan into %1").arg(QString::fromStdString(folder_.string())));
+  devices_.runAlone(
+      [rig = devices_.rig(), plan, observer, result](const Task& task) -> Result<void> {
+        auto done = runScanSession(*rig, plan, observer, task);
+        if (!done) return done.error();
+        result->cloud = std::make_shared<const PointCloud>(std::move(done->reconstruction.cloud));
+        if (!done->results.mesh.triangles.empty()) {
+          result->health = meshHealth(done->results.mesh);
+          result->mesh = std::make_shared<const Mesh>(std::move(done->results.mesh));
+        }
+        result->mesh_problem = done->results.mesh_problem;
+        return {};
+      },
+      [this, result](const Result<void>& outcome) { finished(outcome, result); });
+}
+
+void ScanController::deliver() {
+  if (!live_) return;
+  auto update = live_->newest.take();
+  if (live_->views > 0) facts_.views = live_->views;
+  facts_.views_done = live_->views_done;
+  facts_.elapsed_s = static_cast<double>(clock_.elapsed() - paused_ms_) / 1000.0;
+  const int captured = facts_.views_done - live_->views_before;
+  if (captured > 0)
+    facts_.left_s = facts_.elapsed_s / captured * (facts_.views - facts_.views_done);
+  if (update) {
+    cloud_ = update->cloud;
+    facts_.points = cloud_->points.size();
+    facts_.median_sigma_mm = update->median_sigma_mm;
+    Q_EMIT tracked(update->frame);
+    Q_EMIT cloudGrew(cloud_);
+  }
+  Q_EMIT factsChanged(facts_);
+}
+
+void ScanController::finished(const Result<void>& outcome, const std::shared_ptr<Outcome>& result) {
+  deliver();
+  live_ = nullptr;
+  if (!outcome) {
+    setPhase(ScanPhase::kFailed);
+    if (outcome.error().code == Error::Code::kCancelled) {
+      stopped_rig_ = devices_.rig();
+      Q_EMIT noticed(tr("Stopped. What was captured is kept in %1.")
+                         .arg(QString::fromStdString(folder_.string())),
+                     tr("Step 4 can go on with this scan."));
+    } else {
+      Q_EMIT failed(outcome.error());
+    }
+    return;
+  }
+  cloud_ = result->cloud;
+  facts_.views_done = facts_.views;
+  facts_.left_s.reset();
+  facts_.points = cloud_->points.size();
+  facts_.median_sigma_mm = medianSigmaMm(*cloud_);
+  setPhase(ScanPhase::kDone);
+  Q_EMIT factsChanged(facts_);
+  Q_EMIT cloudGrew(cloud_);
+  showMesh(result);
+}
+
+void ScanController::showMesh(const std::shared_ptr<Outcome>& result) {
+  if (result->mesh_problem) Q_EMIT failed(*result->mesh_problem);
+  if (!result->mesh) return;
+  mesh_ = result->mesh;
+  Q_EMIT meshMade(mesh_, result->health);
+}
+
+void ScanController::pause() {
+  if (phase_ != ScanPhase::kScanning) return;
+  live_->gate.close();
+  paused_at_ms_ = clock_.elapsed();
+  setPhase(ScanPhase::kPaused);
+}
+
+void ScanController::resume() {
+  if (phase_ != ScanPhase::kPaused) return;
+  paused_ms_ += clock_.elapsed() - paused_at_ms_;
+  setPhase(ScanPhase::kScanning);
+  live_->gate.open();
+}
+
+void ScanController::stop() {
+  if (isCapturing(phase_)) setPhase(ScanPhase::kStopping);
+  devices_.requestStop();
+  compute_jobs_.requestStop();
+}
+
+void ScanController::compute(JobRunner::Job job, JobRunner::Done done) {
+  const ScanPhase before = phase_;
+  setPhase(ScanPhase::kMeshing);
+  compute_jobs_.start(std::move(job),
+                      [this, before, done = std::move(done)](const Result<void>& outcome) {
+                        setPhase(before);
+                        if (!outcome && outcome.error().code != Error::Code::kCancelled) {
+                          Q_EMIT failed(outcome.error());
+                        }
+                        if (outcome) done(outcome);
+                      });
+}
+
+void ScanController::makeMesh(double gap_size_mm) {
+  if (isCapturing(phase_) || compute_jobs_.busy()) return;
+  if (!cloud_ || cloud_->points.empty()) {
+    refuse(tr("There are no points yet."), tr("Scan an object, or open a scan."));
+    return;
+  }
+  auto result = std::make_shared<Outcome>();
+  compute(
+      [cloud = cloud_, gap_size_mm, result](const Task& task) -> Result<void> {
+        AlphaShapeOptions options;
+        options.alpha_mm = gap_size_mm;
+        auto made = alphaShapeMesh(*cloud, options, task);
+        if (!made) return made.error();
+        result->health = meshHealth(made->mesh);
+        result->mesh = std::make_shared<const Mesh>(std::move(made->mesh));
+        return {};
+      },
+      [this, result](const Result<void>&) { showMesh(result); });
+}
+
+void ScanController::exportBy(std::function<Result<void>()> write,
+                              const std::filesystem::path& file) {
+  if (compute_jobs_.busy()) return;
+  compute_jobs_.start([write = std::move(write)](const Task&) { return write(); },
+                      [this, file](const Result<void>& outcome) {
+                        if (outcome) {
+                          Q_EMIT written(QString::fromStdString(file.string()));
+                        } else {
+                          Q_EMIT failed(outcome.error());
+                        }
+                      });
+}
+
+void ScanController::exportPoints(const std::filesystem::path& file) {
+  if (!cloud_) return;
+  exportBy([cloud = cloud_, file] { return writePly(file, *cloud); }, file);
+}
+
+void ScanController::exportMesh(const std::filesystem::path& file) {
+  if (!mesh_) return;
+  exportBy(
+      [mesh = mesh_, file] {
+        return file.extension() == ".obj" ? writeObj(file, *mesh) : writePly(file, *mesh);
+      },
+      file);
+}
+
+void ScanController::openModel(const std::filesystem::path& scan_or_file) {
+  if (isCapturing(phase_) || compute_jobs_.busy()) return;
+  auto opened = std::make_shared<OpenedModel>();
+  compute(
+      [scan_or_file, opened](const Task& task) -> Result<void> {
+        auto read = openScanOrModel(scan_or_file, task);
+        if (!read) return read.error();
+        *opened = std::move(read).value();
+        return {};
+      },
+      [this, opened](const Result<void>&) {
+        folder_ = opened->scan_folder;
+        cloud_ = opened->cloud;
+        mesh_ = opened->mesh;
+        if (opened->calibration) {
+          calibration_ = opened->calibration;
+          Q_EMIT calibrationKnown(*calibration_, tr("From the opened scan."));
+        }
+        facts_ = {};
+        facts_.views = opened->views;
+        facts_.views_done = opened->views_done;
+        facts_.points = cloud_ ? cloud_->points.size() : 0;
+        if (cloud_) facts_.median_sigma_mm = medianSigmaMm(*cloud_);
+        Q_EMIT factsChanged(facts_);
+        Q_EMIT cloudGrew(cloud_);
+        if (mesh_) Q_EMIT meshMade(mesh_, opened->health);
+        if (opened->views_done < opened->views) {
+          Q_EMIT noticed(tr("This scan was interrupted after %1 of %2 views.")
+                             .arg(opened->views_done)
+                             .arg(opened->views),
+                         tr("Connect the same turntable and camera; step 4 can go on with it."));
+        }
+      });
+}
+
+void ScanController::shutDown() {
+  shutting_down_ = true;
+  stop();
+  devices_.close();
+  QMetaObject::invokeMethod(this, &ScanController::noteIdle, Qt::QueuedConnection);
+}
+
+void ScanController::noteIdle() {
+  if (shutting_down_ && !devices_.busy() && !compute_jobs_.busy()) Q_EMIT quiet();
+}
+
+}  // namespace gyre

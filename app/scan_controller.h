@@ -1,0 +1,114 @@
+// Where a scan stands and what may happen next: the one place that decides.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include "app/device_session.h"
+#include "app/job_runner.h"
+#include "app/latest.h"
+#include "app/scan_session.h"
+#include "core/scan/calibration.h"
+#include "core/scan/mesh.h"
+#include "core/scan/mesh_health.h"
+#include "core/scan/point_cloud.h"
+#include "core/scan/tracked_frame.h"
+#include "ui/facts.h"
+
+namespace gyre {
+
+using TrackedFramePtr = std::shared_ptr<const TrackedFrame>;
+
+struct ScanRequest {
+  int views = 72;
+  std::filesystem::path folder;  // new or empty
+  QString title;
+};
+
+// Belongs to the window's thread and never waits in it. Work is done by the device session's thread
+// and one compute thread; what they find arrives here in queued calls, the newest winning.
+class ScanController final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ScanController(RigOptions options, QObject* parent = nullptr);
+  ~ScanController() override;
+
+  DeviceSession& devices() { return devices_; }
+  ScanPhase phase() const { return phase_; }
+  const std::optional<Calibration>& calibration() const { return calibration_; }
+  bool hasEmptyTable() const { return empty_table_ != nullptr; }
+  const PointCloudPtr& cloud() const { return cloud_; }
+  const MeshPtr& mesh() const { return mesh_; }
+  const std::filesystem::path& folder() const { return folder_; }
+
+ public Q_SLOTS:
+  void useCalibration(const std::filesystem::path& file);
+  void takeEmptyTable();
+  void startScan(const gyre::ScanRequest& request);
+  void resumeScan();  // captures what the last scan, or an opened one, does not hold yet
+  void pause();
+  void resume();
+  void stop();
+  void makeMesh(double gap_size_mm);  // 0: chosen by the program
+  void exportPoints(const std::filesystem::path& file);
+  void exportMesh(const std::filesystem::path& file);  // .ply or .obj
+  void openModel(const std::filesystem::path& scan_or_file);
+  // Stops the table and everything else; quiet() follows when nothing runs any more.
+  void shutDown();
+
+ Q_SIGNALS:
+  void phaseChanged(gyre::ScanPhase phase);
+  void calibrationKnown(const gyre::Calibration& calibration, const QString& source);
+  void emptyTableTaken();
+  void tracked(const gyre::TrackedFramePtr& frame);
+  void cloudGrew(const gyre::PointCloudPtr& cloud);
+  void factsChanged(const gyre::ScanFacts& facts);
+  void meshMade(const gyre::MeshPtr& mesh, const gyre::MeshHealth& health);
+  void written(const QString& path);
+  void progressed(double fraction, const QString& stage);
+  void failed(const gyre::Error& error);
+  void noticed(const QString& what, const QString& more);
+  void logged(const QString& line);
+  void quiet();
+
+ private:
+  struct Live;     // what the threads of a running scan share
+  struct Outcome;  // what a finished job leaves
+
+  void setPhase(ScanPhase phase);
+  void devicesOpened(const TurntableInfo& turntable);
+  void devicesClosed();
+  bool refuse(const QString& what, const QString& advice);
+  bool readyToScan();
+  void run(ScanBegin begin, const ScanRequest& request);
+  void deliver();
+  void finished(const Result<void>& outcome, const std::shared_ptr<Outcome>& result);
+  void showMesh(const std::shared_ptr<Outcome>& result);
+  void compute(JobRunner::Job job, JobRunner::Done done);
+  void exportBy(std::function<Result<void>()> write, const std::filesystem::path& file);
+  void noteIdle();
+
+  ScanPhase phase_ = ScanPhase::kIdle;
+  std::optional<Calibration> calibration_;
+  FramePtr empty_table_;
+  PointCloudPtr cloud_;
+  MeshPtr mesh_;
+  std::filesystem::path folder_;
+  std::weak_ptr<Rig> stopped_rig_;  // on it the user stopped the last scan: it knows its angle
+  ScanFacts facts_;
+  QElapsedTimer clock_;
+  qint64 paused_ms_ = 0;
+  qint64 paused_at_ms_ = 0;
+  std::shared_ptr<Live> live_;
+  bool shutting_down_ = false;
+  DeviceSession devices_;
+  JobRunner compute_jobs_;
+};
+
+}  // namespace gyre

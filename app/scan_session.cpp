@@ -1,0 +1,124 @@
+// What the window's jobs do with a rig and with files, as plain functions without a window.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scan_session.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/empty_table.h"
+#include "app/scan_files.h"
+#include "core/base/clock.h"
+#include "core/io/model_file.h"
+#include "core/io/scan_store.h"
+#include "core/mesh/mesh_health.h"
+#include "core/pipeline/find_view.h"
+#include "core/sim/rig_json.h"
+
+namespace gyre {
+namespace {
+
+Result<ScanStore> storeFor(const Rig& rig, const ScanPlan& plan) {
+  if (plan.begin != ScanBegin::kNew) return ScanStore::open(plan.folder);
+  ScanSettings settings = plan.settings;
+  if (rig.room) settings.sim_rig_json = rigToJson(rig.room->settings);
+  return ScanStore::create(plan.folder, settings, plan.calibration);
+}
+
+// Where the table stands is not known after a pause of the program: a picture tells.
+Result<void> findTable(const Rig& rig, const ScanStore& store, const Task& task) {
+  if (store.views().empty()) return {};
+  const auto picture = rig.camera->grabAfter(steadySeconds(), task);
+  if (!picture) return picture.error();
+  const auto found = findView((*picture)->image_bgr, store, task);
+  if (!found) return found.error();
+  if (!*found) {
+    return Error{Error::Code::kRejected, "The camera sees none of the views of this scan.",
+                 "Turn the table back to where the scan began, touch neither object nor camera, "
+                 "and try again."};
+  }
+  return rig.turntable->setAngle((*found)->table_angle_rad);
+}
+
+Result<void> prepareTable(const Rig& rig, const ScanPlan& plan, ScanStore& store,
+                          const Task& task) {
+  if (plan.begin != ScanBegin::kNew) {
+    if (rig.room) rig.room->setTable(TableLoad::kObject);
+    if (plan.begin == ScanBegin::kResumedInPlace) return {};
+    return findTable(rig, store, task);
+  }
+  if (plan.empty_table) {
+    if (const auto kept = store.addEmptyTable(*plan.empty_table); !kept) return kept;
+  }
+  return takeEmptyTable(rig, store, task);
+}
+
+}  // namespace
+
+Result<FramePtr> pictureOfEmptyTable(const Rig& rig, const Task& task) {
+  if (rig.room) rig.room->setTable(TableLoad::kEmpty);
+  const auto picture = rig.camera->grabAfter(steadySeconds(), task);
+  if (rig.room) rig.room->setTable(TableLoad::kObject);
+  if (!picture) return picture.error();
+  auto frame = std::make_shared<Frame>(**picture);
+  frame->table_angle_rad = rig.turntable->angleRad();
+  return FramePtr(std::move(frame));
+}
+
+Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
+                                         const ScanObserver& observer, const Task& task) {
+  auto store = storeFor(rig, plan);
+  if (!store) return store.error();
+  if (const auto ready = prepareTable(rig, plan, *store, task); !ready) return ready.error();
+  auto reconstruction = runScan(*rig.turntable, *rig.camera, *store, observer, task.part(0.0, 0.9));
+  if (!reconstruction) return reconstruction.error();
+  auto results = writeScanResults(*store, *reconstruction, task.part(0.9, 1.0));
+  if (!results) return results.error();
+  return ScanSessionResult{std::move(reconstruction).value(), std::move(results).value()};
+}
+
+Result<OpenedModel> openScanOrModel(const std::filesystem::path& path, const Task& task) {
+  OpenedModel opened;
+  std::filesystem::path points = path;
+  std::filesystem::path mesh;
+  std::error_code ignored;
+  if (path.extension() == ".gyre" || std::filesystem::is_directory(path, ignored)) {
+    const auto store = ScanStore::open(path);
+    if (!store) return store.error();
+    opened.scan_folder = store->folder();
+    opened.calibration = store->calibration();
+    opened.views = store->settings().views;
+    opened.views_done = static_cast<int>(store->views().size());
+    points = opened.scan_folder / "points.ply";
+    mesh = opened.scan_folder / "mesh.ply";
+    if (!std::filesystem::exists(points, ignored)) return opened;
+  }
+  task.report(0.2, "Reading the points");
+  auto model = readMeshOrCloud(points);
+  if (!model) return model.error();
+  if (auto* cloud = std::get_if<PointCloud>(&*model)) {
+    opened.cloud = std::make_shared<const PointCloud>(std::move(*cloud));
+    if (mesh.empty() || !std::filesystem::exists(mesh, ignored)) return opened;
+    model = readMeshOrCloud(mesh);
+    if (!model) return model.error();
+  }
+  if (auto* surface = std::get_if<Mesh>(&*model)) {
+    opened.health = meshHealth(*surface);
+    opened.mesh = std::make_shared<const Mesh>(std::move(*surface));
+  }
+  return opened;
+}
+
+std::optional<double> medianSigmaMm(const PointCloud& cloud) {
+  if (cloud.points.empty()) return std::nullopt;
+  std::vector<double> sigmas;
+  sigmas.reserve(cloud.points.size());
+  for (const Point& point : cloud.points) sigmas.push_back(point.sigmaMm());
+  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
+  std::nth_element(sigmas.begin(), middle, sigmas.end());
+  return *middle;
+}
+
+}  // namespace gyre

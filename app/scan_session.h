@@ -1,0 +1,66 @@
+// What the window's jobs do with a rig and with files, as plain functions without a window.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/rig.h"
+#include "app/scan_run.h"
+#include "core/base/result.h"
+#include "core/base/task.h"
+#include "core/pipeline/reconstruction.h"
+#include "core/pipeline/write_results.h"
+#include "core/scan/calibration.h"
+#include "core/scan/mesh.h"
+#include "core/scan/mesh_health.h"
+#include "core/scan/point_cloud.h"
+#include "core/scan/scan.h"
+
+namespace gyre {
+
+enum class ScanBegin {
+  kNew,
+  kResumed,         // the folder holds a scan; settings and calibration are its own
+  kResumedInPlace,  // likewise, and the turntable still knows its angle
+};
+
+struct ScanPlan {
+  std::filesystem::path folder;
+  ScanBegin begin = ScanBegin::kNew;
+  ScanSettings settings;
+  Calibration calibration;
+  FramePtr empty_table;  // null: none was taken
+};
+
+struct ScanSessionResult {
+  Reconstruction reconstruction;
+  WrittenResults results;
+};
+
+// A picture of the bare table at the angle at which the table stands. In a simulated room the
+// object is taken off before and put on the table after.
+Result<FramePtr> pictureOfEmptyTable(const Rig& rig, const Task& task);
+
+// The whole way from an open rig to a folder with results. On failure, and when stopped, what was
+// captured stays in the folder.
+Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
+                                         const ScanObserver& observer, const Task& task);
+
+struct OpenedModel {
+  std::filesystem::path scan_folder;  // empty when a model's file was opened
+  PointCloudPtr cloud;                // null when there is none
+  MeshPtr mesh;
+  MeshHealth health;
+  std::optional<Calibration> calibration;
+  int views = 0;
+  int views_done = 0;
+};
+
+// Reads a scan's folder or .gyre file with the results beside it, or a .ply or .obj.
+Result<OpenedModel> openScanOrModel(const std::filesystem::path& path, const Task& task);
+
+// Half of the points are surer than this; nothing when there are none. [mm]
+std::optional<double> medianSigmaMm(const PointCloud& cloud);
+
+}  // namespace gyre

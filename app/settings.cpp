@@ -1,0 +1,87 @@
+// What the window remembers from one start to the next.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/settings.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "core/base/address.h"
+
+namespace gyre {
+namespace {
+constexpr int kMostRecent = 12;
+}  // namespace
+
+Settings::Settings() : store_("gyre", "gyre") {}
+
+std::vector<RecentScan> Settings::recentScans() const {
+  std::vector<RecentScan> scans;
+  QSettings store("gyre", "gyre");
+  const int count = store.beginReadArray("recent");
+  for (int i = 0; i < count; ++i) {
+    store.setArrayIndex(i);
+    RecentScan scan;
+    scan.folder = store.value("folder").toString();
+    scan.title = store.value("title").toString();
+    scan.when = store.value("when").toDateTime();
+    scan.size_mm = store.value("size_mm").toDouble();
+    scan.thumbnail = QDir(scan.folder).filePath("thumbnail.png");
+    if (QFileInfo::exists(scan.folder)) scans.push_back(scan);
+  }
+  return scans;
+}
+
+void Settings::rememberScan(const RecentScan& scan) {
+  std::vector<RecentScan> scans = recentScans();
+  std::erase_if(scans, [&](const RecentScan& other) { return other.folder == scan.folder; });
+  scans.insert(scans.begin(), scan);
+  if (scans.size() > kMostRecent) scans.resize(kMostRecent);
+  store_.beginWriteArray("recent", static_cast<int>(scans.size()));
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    store_.setArrayIndex(static_cast<int>(i));
+    store_.setValue("folder", scans[i].folder);
+    store_.setValue("title", scans[i].title);
+    store_.setValue("when", scans[i].when);
+    store_.setValue("size_mm", scans[i].size_mm);
+  }
+  store_.endArray();
+}
+
+bool Settings::knowsTurntable(const QString& device_id) const {
+  return !device_id.isEmpty() && store_.value("turntables").toStringList().contains(device_id);
+}
+
+void Settings::rememberTurntable(const QString& device_id) {
+  if (device_id.isEmpty() || knowsTurntable(device_id)) return;
+  store_.setValue("turntables", store_.value("turntables").toStringList() << device_id);
+}
+
+ThemeChoice Settings::theme() const {
+  const QString word = store_.value("theme", "system").toString();
+  if (word == "light") return ThemeChoice::kLight;
+  return word == "dark" ? ThemeChoice::kDark : ThemeChoice::kFollowSystem;
+}
+
+void Settings::setTheme(ThemeChoice choice) {
+  store_.setValue("theme", choice == ThemeChoice::kLight  ? "light"
+                           : choice == ThemeChoice::kDark ? "dark"
+                                                          : "system");
+}
+
+QString Settings::turntable() const { return store_.value("turntable").toString(); }
+QString Settings::camera() const { return store_.value("camera").toString(); }
+
+void Settings::setDevices(const QString& turntable, const QString& camera) {
+  store_.setValue("turntable", turntable);
+  store_.setValue("camera", QString::fromStdString(withoutPassword(camera.toStdString())));
+}
+
+QString Settings::newScanFolder(const QString& title) const {
+  const QString home = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QString time = QDateTime::currentDateTime().toString("yyyy-MM-dd HHmmss");
+  return QDir(home).filePath(QString("Gyre/%1 %2").arg(title, time));
+}
+
+}  // namespace gyre

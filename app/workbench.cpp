@@ -1,0 +1,328 @@
+// Wires the window's wishes to the scan controller, and its facts to the window.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workbench.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+
+#include "core/device/discovery.h"
+#include "core/scan/point_cloud.h"
+#include "ui/banner.h"
+#include "ui/camera_view.h"
+#include "ui/device_panel.h"
+#include "ui/job_bar.h"
+#include "ui/log_panel.h"
+#include "ui/scene_view.h"
+#include "ui/start_page.h"
+#include "ui/step_list.h"
+#include "ui/step_panels.h"
+#include "ui/work_page.h"
+
+namespace gyre {
+namespace {
+
+struct Listed {
+  std::vector<PortInfo> ports;
+  std::vector<CameraDeviceInfo> cameras;
+};
+
+std::filesystem::path pathOf(const QString& path) { return path.toStdString(); }
+
+QString devicesSentence(const Listed& listed) {
+  return Workbench::tr("Connected now: %n serial port(s), ", nullptr,
+                       static_cast<int>(listed.ports.size())) +
+         Workbench::tr("%n camera(s).", nullptr, static_cast<int>(listed.cameras.size()));
+}
+
+}  // namespace
+
+Workbench::Workbench(const RigOptions& rig) : controller_(rig), listing_jobs_("gyre-listing") {
+  wireStart();
+  wireDevices();
+  wireScan();
+  wireResults();
+  wireFacts();
+  window_.start_page->showRecent(settings_.recentScans());
+  listDevices();
+  showSteps();
+}
+
+void Workbench::wireStart() {
+  StartPage* page = window_.start_page;
+  connect(page, &StartPage::demoRequested, this,
+          [this] { runDemo("duck", 72, settings_.newScanFolder(tr("Duck"))); });
+  connect(&window_, &MainWindow::newScanRequested, this, &Workbench::newScan);
+  connect(&window_, &MainWindow::openRequested, this, &Workbench::open);
+  connect(&window_, &MainWindow::themeChosen, this, [this](ThemeChoice choice) {
+    settings_.setTheme(choice);
+    applyTheme(*qApp, choice);
+  });
+  connect(&window_, &MainWindow::closeRequested, this, [this] {
+    if (isCapturing(controller_.phase())) {
+      window_.work_page->banner->showNotice(tr("Stopping the table before closing…"), QString());
+    }
+    controller_.shutDown();
+  });
+  connect(&controller_, &ScanController::quiet, this, [this] {
+    window_.allowClose();
+    window_.close();
+  });
+}
+
+void Workbench::wireDevices() {
+  DevicePanel* panel = window_.work_page->device_panel;
+  DeviceSession* devices = &controller_.devices();
+  connect(panel, &DevicePanel::refreshRequested, this, &Workbench::listDevices);
+  connect(panel, &DevicePanel::connectRequested, this,
+          [this, devices](const QString& turntable, const QString& camera) {
+            window_.work_page->banner->dismiss();
+            settings_.setDevices(turntable, camera);
+            window_.showPhase(ScanPhase::kConnecting);
+            devices->open(turntable, camera);
+          });
+  connect(panel, &DevicePanel::disconnectRequested, devices, &DeviceSession::close);
+  connect(panel, &DevicePanel::turnRequested_deg, devices, &DeviceSession::turnBy_deg);
+  connect(panel, &DevicePanel::angleRequested_deg, devices, &DeviceSession::turnTo_deg);
+  connect(panel, &DevicePanel::releaseRequested, devices, &DeviceSession::releaseMotor);
+  connect(panel, &DevicePanel::lockRequested, devices, &DeviceSession::lockCamera);
+  connect(panel, &DevicePanel::turntableConfirmed, this, [this, devices] {
+    settings_.rememberTurntable(device_id_);
+    devices->confirmTurntable();
+    showSteps();
+  });
+  connect(devices, &DeviceSession::opened, this, &Workbench::devicesOpened);
+  connect(devices, &DeviceSession::openFailed, this, [this] {
+    demo_ = false;
+    window_.showPhase(controller_.phase());
+  });
+  connect(devices, &DeviceSession::angleKnown_deg, panel, &DevicePanel::showAngle_deg);
+  connect(devices, &DeviceSession::cameraTold, panel, &DevicePanel::showCamera);
+  connect(devices, &DeviceSession::frameArrived, window_.work_page->camera_view,
+          &CameraView::showFrame);
+  connect(devices, &DeviceSession::closed, this, [this] {
+    window_.work_page->camera_view->clear(tr("No camera yet"));
+    window_.work_page->place_panel->reset();
+    placed_ = false;
+  });
+}
+
+void Workbench::wireScan() {
+  WorkPage* page = window_.work_page;
+  connect(page->calibration_panel, &CalibrationPanel::fileChosen, this,
+          [this](const QString& path) { controller_.useCalibration(pathOf(path)); });
+  connect(page->place_panel, &PlacePanel::emptyTableRequested, &controller_,
+          &ScanController::takeEmptyTable);
+  connect(page->place_panel, &PlacePanel::objectPlaced, this, [this] {
+    placed_ = true;
+    showSteps();
+    window_.showWork(Step::kScan);
+  });
+  connect(page->scan_panel, &ScanPanel::startRequested, this, &Workbench::startScan);
+  connect(page->scan_panel, &ScanPanel::resumeRequested, &controller_, &ScanController::resumeScan);
+  connect(page->job_bar, &JobBar::startRequested, this, &Workbench::startScan);
+  connect(&window_, &MainWindow::pauseRequested, &controller_, &ScanController::pause);
+  connect(&window_, &MainWindow::resumeRequested, &controller_, &ScanController::resume);
+  connect(&window_, &MainWindow::stopRequested, &controller_, &ScanController::stop);
+  connect(&controller_, &ScanController::emptyTableTaken, this, [this] {
+    window_.work_page->place_panel->showEmptyTableTaken();
+    showSteps();
+    if (demo_) {
+      demo_ = false;
+      placed_ = true;
+      startScan();
+    }
+  });
+}
+
+void Workbench::wireResults() {
+  WorkPage* page = window_.work_page;
+  MeshPanel* mesh = page->mesh_panel;
+  connect(mesh, &MeshPanel::meshRequested, &controller_, &ScanController::makeMesh);
+  connect(mesh, &MeshPanel::coloursChosen, page->scene_view, &SceneView::setColours);
+  connect(mesh, &MeshPanel::pointsShown, page->scene_view,
+          [page] { page->scene_view->showMesh(nullptr); });
+  connect(mesh, &MeshPanel::surfaceShown, page->scene_view,
+          [this, page] { page->scene_view->showMesh(controller_.mesh()); });
+  connect(page->export_panel, &ExportPanel::pointsExportRequested, &controller_,
+          [this](const QString& path) { controller_.exportPoints(pathOf(path)); });
+  connect(page->export_panel, &ExportPanel::meshExportRequested, &controller_,
+          [this](const QString& path) { controller_.exportMesh(pathOf(path)); });
+  connect(&controller_, &ScanController::written, page->export_panel, &ExportPanel::showWritten);
+  connect(&controller_, &ScanController::meshMade, this,
+          [this, page](const MeshPtr& surface, const MeshHealth& health) {
+            page->scene_view->showMesh(surface);
+            page->mesh_panel->showHealth(health);
+            page->export_panel->showAvailable(
+                controller_.cloud() ? controller_.cloud()->points.size() : 0,
+                surface->triangles.size());
+            window_.showWork(Step::kMesh);
+            showSteps();
+            rememberScan();
+          });
+}
+
+void Workbench::wireFacts() {
+  WorkPage* page = window_.work_page;
+  connect(&controller_, &ScanController::phaseChanged, this, [this](ScanPhase phase) {
+    window_.showPhase(phase);
+    window_.log_panel->addLine(phaseText(phase));
+    showSteps();
+  });
+  connect(&controller_, &ScanController::tracked, this, [page](const TrackedFramePtr& tracked) {
+    page->camera_view->showTrackedFrame(tracked);
+    page->scene_view->showTableAngle_rad(tracked->frame->table_angle_rad);
+  });
+  connect(&controller_, &ScanController::cloudGrew, this, [this, page](const PointCloudPtr& cloud) {
+    page->scene_view->showCloud(cloud);
+    page->export_panel->showAvailable(
+        cloud ? cloud->points.size() : 0,
+        controller_.mesh() ? controller_.mesh()->triangles.size() : 0);
+  });
+  connect(&controller_, &ScanController::factsChanged, page->job_bar, &JobBar::showFacts);
+  connect(&controller_, &ScanController::progressed, this,
+          [this](double fraction, const QString& stage) {
+            if (!isCapturing(controller_.phase())) {
+              window_.work_page->job_bar->showProgress(fraction, stage);
+            }
+          });
+  connect(&controller_, &ScanController::calibrationKnown, this,
+          [this, page](const Calibration& calibration, const QString& source) {
+            page->calibration_panel->showCalibration(calibration, source);
+            page->scene_view->showCalibration(calibration);
+            showSteps();
+          });
+  connect(&controller_, &ScanController::failed, this, [this](const Error& error) {
+    window_.work_page->banner->showError(error);
+    window_.log_panel->addLine(QString::fromStdString(error.sentence()));
+  });
+  connect(&controller_, &ScanController::noticed, page->banner, &Banner::showNotice);
+  connect(&controller_, &ScanController::logged, window_.log_panel, &LogPanel::addLine);
+}
+
+void Workbench::listDevices() {
+  auto listed = std::make_shared<Listed>();
+  listing_jobs_.start(
+      [listed](const Task&) -> Result<void> {
+        listed->ports = listPorts();
+        listed->cameras = listCameras();
+        return {};
+      },
+      [this, listed](const Result<void>&) {
+        DevicePanel* panel = window_.work_page->device_panel;
+        panel->showPorts(listed->ports);
+        panel->showCameras(listed->cameras);
+        panel->choose(settings_.turntable(), settings_.camera());
+        window_.start_page->showDevices(devicesSentence(*listed));
+      });
+}
+
+void Workbench::devicesOpened(const TurntableInfo& turntable, const CameraInfo& camera) {
+  DevicePanel* panel = window_.work_page->device_panel;
+  device_id_ = QString::fromStdString(turntable.device_id);
+  panel->showTurntable(turntable);
+  panel->showCamera(camera);
+  DeviceSession& devices = controller_.devices();
+  if (settings_.knowsTurntable(device_id_)) devices.confirmTurntable();
+  if (devices.mayMove()) {
+    panel->allowMoving();
+  } else {
+    panel->askWhetherTurntable();
+  }
+  showSteps();
+  if (demo_) controller_.takeEmptyTable();
+}
+
+void Workbench::newScan() {
+  title_ = tr("Scan");
+  listDevices();
+  window_.showWork(Step::kConnect);
+}
+
+void Workbench::runDemo(const QString& object, int views, const QString& folder) {
+  if (controller_.devices().isOpen() || controller_.phase() != ScanPhase::kIdle) {
+    window_.showWork(Step::kConnect);
+    window_.work_page->banner->showNotice(tr("Something is connected already."),
+                                          tr("Disconnect it, then try the demo."));
+    return;
+  }
+  demo_ = true;
+  title_ = tr("Demo: %1").arg(object);
+  window_.work_page->scan_panel->setViews(views);
+  window_.work_page->scan_panel->setFolder(folder);
+  window_.work_page->device_panel->choose("sim:" + object, "sim");
+  window_.showWork(Step::kScan);
+  window_.showPhase(ScanPhase::kConnecting);
+  controller_.devices().open("sim:" + object, "sim");
+}
+
+void Workbench::startScan() {
+  ScanPanel* panel = window_.work_page->scan_panel;
+  if (panel->folder().isEmpty() || QDir(panel->folder()).exists()) {
+    panel->setFolder(settings_.newScanFolder(title_));
+  }
+  window_.work_page->banner->dismiss();
+  window_.work_page->scene_view->showMesh(nullptr);
+  window_.work_page->scene_view->showCloud(nullptr);
+  window_.work_page->mesh_panel->showNoMesh();
+  window_.work_page->export_panel->setFolder(panel->folder());
+  window_.showWork(Step::kScan);
+  QDir().mkpath(QFileInfo(panel->folder()).absolutePath());
+  controller_.startScan({panel->views(), pathOf(panel->folder()), title_});
+}
+
+void Workbench::open(const QString& path) {
+  title_ = QFileInfo(path).completeBaseName();
+  window_.work_page->banner->dismiss();
+  window_.showWork(Step::kMesh);
+  window_.work_page->scene_view->showMesh(nullptr);
+  window_.work_page->mesh_panel->showNoMesh();
+  controller_.openModel(pathOf(path));
+}
+
+void Workbench::showSteps() {
+  const ScanPhase phase = controller_.phase();
+  const auto at = [](Step step) { return static_cast<std::size_t>(step); };
+  StepStates states{};
+  states.fill(StepState::kTodo);
+  const bool open = controller_.devices().isOpen();
+  const bool has_points = controller_.cloud() && !controller_.cloud()->points.empty();
+  states[at(Step::kConnect)] = !open                             ? StepState::kNow
+                               : controller_.devices().mayMove() ? StepState::kDone
+                                                                 : StepState::kAttention;
+  if (controller_.calibration()) {
+    states[at(Step::kCalibrate)] =
+        controller_.calibration()->cam_from_table ? StepState::kDone : StepState::kAttention;
+  } else if (open) {
+    states[at(Step::kCalibrate)] = StepState::kNow;
+  }
+  if (placed_) states[at(Step::kPlace)] = StepState::kDone;
+  if (isCapturing(phase) || phase == ScanPhase::kFinishing) {
+    states[at(Step::kScan)] = StepState::kNow;
+  } else if (phase == ScanPhase::kFailed) {
+    states[at(Step::kScan)] = StepState::kAttention;
+  } else if (has_points) {
+    states[at(Step::kScan)] = StepState::kDone;
+  }
+  if (controller_.mesh()) {
+    states[at(Step::kMesh)] = StepState::kDone;
+    states[at(Step::kExport)] = StepState::kNow;
+  }
+  window_.work_page->steps->setStates(states);
+}
+
+void Workbench::rememberScan() {
+  if (controller_.folder().empty() || !controller_.mesh()) return;
+  RecentScan scan;
+  scan.folder = QString::fromStdString(controller_.folder().string());
+  scan.title = title_;
+  scan.when = QDateTime::currentDateTime();
+  scan.size_mm = boundsOf(*controller_.mesh()).diagonal();
+  const QImage picture = window_.work_page->scene_view->picture();
+  picture.scaled(288, 216, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation)
+      .save(QDir(scan.folder).filePath("thumbnail.png"));
+  settings_.rememberScan(scan);
+  window_.start_page->showRecent(settings_.recentScans());
+}
+
+}  // namespace gyre

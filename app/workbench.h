@@ -1,0 +1,51 @@
+// Wires the window's wishes to the scan controller, and its facts to the window.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "app/job_runner.h"
+#include "app/scan_controller.h"
+#include "app/settings.h"
+#include "ui/main_window.h"
+
+namespace gyre {
+
+// One window with all that works behind it. GUI thread only.
+class Workbench final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Workbench(const RigOptions& rig);
+
+  MainWindow& window() { return window_; }
+  ScanController& controller() { return controller_; }
+
+  // A whole scan on the simulated rig: connects, looks at the empty table, scans.
+  void runDemo(const QString& object, int views, const QString& folder);
+  void open(const QString& path);
+
+ private:
+  void wireStart();
+  void wireDevices();
+  void wireScan();
+  void wireResults();
+  void wireFacts();
+  void listDevices();
+  void devicesOpened(const TurntableInfo& turntable, const CameraInfo& camera);
+  void newScan();
+  void startScan();
+  void showSteps();
+  void rememberScan();
+
+  Settings settings_;
+  MainWindow window_;
+  ScanController controller_;
+  JobRunner listing_jobs_;
+  QString device_id_;
+  QString title_;
+  bool placed_ = false;
+  bool demo_ = false;  // the demo goes on by itself until its scan has started
+};
+
+}  // namespace gyre

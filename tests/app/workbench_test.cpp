@@ -1,0 +1,203 @@
+// A whole simulated scan in the window, driven as a person would.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workbench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include <QElapsedTimer>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include "core/io/scan_store.h"
+#include "tests/support/qt_application.h"
+#include "ui/banner.h"
+#include "ui/device_panel.h"
+#include "ui/job_bar.h"
+#include "ui/scene_view.h"
+#include "ui/start_page.h"
+#include "ui/step_panels.h"
+#include "ui/work_page.h"
+
+namespace gyre {
+namespace {
+
+constexpr int kPatience_ms = 120000;
+constexpr int kViews = 48;
+
+RigOptions smallRig() {
+  RigOptions options;
+  options.sim = atImageWidth(options.sim, 640);
+  options.sim.image_height_px = 480;
+  options.sim_speed = 10.0;
+  return options;
+}
+
+// Measures how long the window's thread was away.
+class Heartbeat final : public QObject {
+ public:
+  Heartbeat() {
+    timer_.setTimerType(Qt::PreciseTimer);
+    connect(&timer_, &QTimer::timeout, this,
+            [this] { worst_ms_ = std::max(worst_ms_, clock_.restart() - kBeat_ms); });
+    clock_.start();
+    timer_.start(kBeat_ms);
+  }
+  qint64 worstStall_ms() const { return worst_ms_; }
+
+ private:
+  static constexpr int kBeat_ms = 5;
+  QTimer timer_;
+  QElapsedTimer clock_;
+  qint64 worst_ms_ = 0;
+};
+
+class WorkbenchTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(folder_.isValid());
+    qputenv("XDG_CONFIG_HOME", folder_.filePath("config").toUtf8());
+    bench_ = std::make_unique<Workbench>(smallRig());
+    bench_->window().show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&bench_->window()));
+    QTest::qWait(300);  // the first picture of the scene: its shaders are compiled
+  }
+  void TearDown() override {
+    QSignalSpy quiet(&bench_->controller(), &ScanController::quiet);
+    bench_->controller().shutDown();
+    EXPECT_TRUE(quiet.count() > 0 || quiet.wait(20000));
+  }
+  QString scanFolder() const { return folder_.filePath("scan"); }
+  ScanController& controller() { return bench_->controller(); }
+  bool waitForPhase(ScanPhase phase) {
+    return QTest::qWaitFor([&] { return controller().phase() == phase; }, kPatience_ms);
+  }
+  bool waitForViews(int views) {
+    QSignalSpy facts(&controller(), &ScanController::factsChanged);
+    return QTest::qWaitFor(
+        [&] {
+          return !facts.isEmpty() && facts.back().at(0).value<ScanFacts>().views_done >= views;
+        },
+        kPatience_ms);
+  }
+  QPushButton* button(QWidget* parent, const QString& text) {
+    for (QPushButton* candidate : parent->findChildren<QPushButton*>()) {
+      if (candidate->text() == text) return candidate;
+    }
+    return nullptr;
+  }
+  void press(QWidget* parent, const QString& text) {
+    QPushButton* found = button(parent, text);
+    ASSERT_NE(found, nullptr) << text.toStdString();
+    ASSERT_TRUE(found->isEnabled()) << text.toStdString();
+    found->click();
+  }
+  // Connects, looks at the empty table and starts, by the buttons.
+  void startByHand() {
+    WorkPage* page = bench_->window().work_page;
+    Q_EMIT bench_->window().newScanRequested();
+    QTest::qWait(100);
+    page->device_panel->choose("sim:duck", "sim");
+    press(page->device_panel, "Connect");
+    ASSERT_TRUE(waitForPhase(ScanPhase::kReady));
+    press(page->place_panel, "Take the picture");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return controller().hasEmptyTable(); }, kPatience_ms));
+    press(page->place_panel, "The object is in place");
+    page->scan_panel->setViews(kViews);
+    page->scan_panel->setFolder(scanFolder());
+    ASSERT_TRUE(waitForPhase(ScanPhase::kReady));
+    press(page->job_bar, "Start");
+    ASSERT_TRUE(waitForPhase(ScanPhase::kScanning));
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<Workbench> bench_;
+};
+
+TEST_F(WorkbenchTest, ScansLiveFromTheFirstButtonToTheFiles) {
+  startByHand();
+  QSignalSpy clouds(&controller(), &ScanController::cloudGrew);
+  int clouds_before_last_view = 0;
+  QObject::connect(&controller(), &ScanController::factsChanged, [&](const ScanFacts& facts) {
+    if (facts.views_done < facts.views) clouds_before_last_view = static_cast<int>(clouds.count());
+  });
+  const Heartbeat heartbeat;
+  ASSERT_TRUE(waitForPhase(ScanPhase::kDone));
+  EXPECT_GE(clouds_before_last_view, 10);
+  EXPECT_LE(heartbeat.worstStall_ms(), 50);
+  ASSERT_NE(controller().cloud(), nullptr);
+  EXPECT_GT(controller().cloud()->points.size(), 500U);
+  ASSERT_NE(controller().mesh(), nullptr);
+  const std::filesystem::path folder = scanFolder().toStdString();
+  for (const char* name : {"points.ply", "mesh.ply", "mesh.obj", "report.json"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  }
+  QSignalSpy written(&controller(), &ScanController::written);
+  controller().exportMesh(folder / "own.obj");
+  ASSERT_TRUE(written.wait(kPatience_ms));
+  EXPECT_TRUE(std::filesystem::exists(folder / "own.obj"));
+}
+
+TEST_F(WorkbenchTest, PausesAndGoesOn) {
+  startByHand();
+  ASSERT_TRUE(waitForViews(4));
+  press(bench_->window().work_page->job_bar, "Pause");
+  QTest::qWait(1500);  // the view in flight is finished
+  QSignalSpy facts(&controller(), &ScanController::factsChanged);
+  QTest::qWait(1500);
+  EXPECT_EQ(facts.count(), 0);
+  press(bench_->window().work_page->job_bar, "Resume");
+  EXPECT_TRUE(waitForViews(8));
+}
+
+TEST_F(WorkbenchTest, StopsOnRequestKeepsTheViewsAndGoesOnLater) {
+  startByHand();
+  ASSERT_TRUE(waitForViews(6));
+  press(bench_->window().work_page->job_bar, "Stop");
+  ASSERT_TRUE(waitForPhase(ScanPhase::kFailed));
+  const std::filesystem::path folder = scanFolder().toStdString();
+  std::size_t kept = 0;
+  {
+    const auto store = ScanStore::open(folder);
+    ASSERT_TRUE(store.ok()) << store.error().sentence();
+    kept = store->views().size();
+  }
+  EXPECT_GE(kept, 6U);
+  press(bench_->window().work_page->scan_panel, "Go on with this scan");
+  ASSERT_TRUE(waitForPhase(ScanPhase::kDone));
+  const auto store = ScanStore::open(folder);
+  ASSERT_TRUE(store.ok());
+  EXPECT_TRUE(store->complete());
+}
+
+TEST_F(WorkbenchTest, ClosesInTheMiddleOfAScanAndLosesNothing) {
+  startByHand();
+  ASSERT_TRUE(waitForViews(5));
+  QElapsedTimer clock;
+  clock.start();
+  bench_->window().close();
+  EXPECT_LT(clock.elapsed(), 100);  // closing waits for nothing
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !bench_->window().isVisible(); }, 20000));
+  EXPECT_FALSE(controller().devices().busy());
+  const auto store = ScanStore::open(scanFolder().toStdString());
+  ASSERT_TRUE(store.ok()) << store.error().sentence();
+  EXPECT_GE(store->views().size(), 5U);
+}
+
+TEST_F(WorkbenchTest, SaysWhyItCannotConnect) {
+  WorkPage* page = bench_->window().work_page;
+  bench_->window().showWork(Step::kConnect);
+  QSignalSpy failed(&controller(), &ScanController::failed);
+  Q_EMIT page->device_panel->connectRequested("/dev/no-such-port", "sim");
+  ASSERT_TRUE(failed.wait(20000));
+  EXPECT_TRUE(page->banner->isVisible());
+  EXPECT_EQ(controller().phase(), ScanPhase::kIdle);
+}
+
+}  // namespace
+}  // namespace gyre
