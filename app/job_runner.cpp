@@ -3,6 +3,8 @@
 #include "app/job_runner.h"
 
 #include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <exception>
 #include <memory>
@@ -17,6 +19,7 @@ namespace gyre {
 namespace {
 
 constexpr double kReportInterval_s = 0.1;
+constexpr int kBelowWindow = 5;  // nice
 
 Result<void> runGuarded(const JobRunner::Job& job, const Task& task) try {
   return job(task);
@@ -65,6 +68,8 @@ void JobRunner::requestStop() {
 }
 
 void JobRunner::run(const std::stop_token& stop) {
+  // Below the window's thread, for this one and those it starts: the window stays alive.
+  (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kBelowWindow);
   pthread_setname_np(pthread_self(), thread_name_.substr(0, 15).c_str());
   for (;;) {
     Entry entry;

@@ -46,7 +46,18 @@ struct CloudActors::Chunk {
   vtkNew<vtkActor> actor;
 };
 
-CloudActors::CloudActors(vtkRenderer& renderer) : renderer_(renderer) {}
+CloudActors::CloudActors(vtkRenderer& renderer) : renderer_(renderer) {
+  // One point under the platter makes the driver compile its programs (0.1 s on a processor) with
+  // the first picture, while nobody waits, and not when the first points of a scan come.
+  PointCloud under_platter;
+  under_platter.points.emplace_back();
+  under_platter.points.back().position.z() = -0.6;
+  under_platter.points.back().rgb = {128, 128, 128};
+  cloud_ = std::make_shared<const PointCloud>(std::move(under_platter));
+  addChunk();
+  fill(*chunks_.front(), 0);
+  cloud_ = nullptr;
+}
 CloudActors::~CloudActors() = default;
 
 void CloudActors::show(PointCloudPtr cloud, CloudColours colours) {
@@ -60,16 +71,7 @@ void CloudActors::show(PointCloudPtr cloud, CloudColours colours) {
 bool CloudActors::fillNext() {
   const std::size_t needed = (size() + kChunkPoints - 1) / kChunkPoints;
   if (next_chunk_ < needed) {
-    if (next_chunk_ == chunks_.size()) {
-      auto chunk = std::make_unique<Chunk>();
-      chunk->mapper->SetInputData(chunk->shape);
-      chunk->actor->SetMapper(chunk->mapper);
-      chunk->actor->GetProperty()->LightingOff();
-      chunk->actor->GetProperty()->SetPointSize(point_size_px_);
-      chunk->actor->SetVisibility(visibility_ == CloudVisibility::kShown ? 1 : 0);
-      renderer_.AddActor(chunk->actor);
-      chunks_.push_back(std::move(chunk));
-    }
+    if (next_chunk_ == chunks_.size()) addChunk();
     fill(*chunks_[next_chunk_], next_chunk_ * kChunkPoints);
     ++next_chunk_;
     return true;
@@ -80,6 +82,17 @@ bool CloudActors::fillNext() {
     chunks_.pop_back();
   }
   return true;
+}
+
+void CloudActors::addChunk() {
+  auto chunk = std::make_unique<Chunk>();
+  chunk->mapper->SetInputData(chunk->shape);
+  chunk->actor->SetMapper(chunk->mapper);
+  chunk->actor->GetProperty()->LightingOff();
+  chunk->actor->GetProperty()->SetPointSize(point_size_px_);
+  chunk->actor->SetVisibility(visibility_ == CloudVisibility::kShown ? 1 : 0);
+  renderer_.AddActor(chunk->actor);
+  chunks_.push_back(std::move(chunk));
 }
 
 void CloudActors::fill(Chunk& chunk, std::size_t first) const {

@@ -42,6 +42,7 @@ class CloudActors {
  private:
   struct Chunk;
 
+  void addChunk();
   void fill(Chunk& chunk, std::size_t first) const;
 
   vtkRenderer& renderer_;

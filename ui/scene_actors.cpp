@@ -60,7 +60,17 @@ vtkSmartPointer<vtkPolyData> shapeOf(const Mesh& mesh) {
 SceneActors::SceneActors() : cloud_(*renderer_), rig_(*renderer_) {
   vtkNew<vtkPolyDataMapper> mapper;
   mesh_->SetMapper(mapper);
-  mesh_->VisibilityOff();
+  // As with the cloud: a speck under the platter has the programs for meshes compiled early.
+  Mesh under_platter;
+  under_platter.vertices.resize(3);
+  for (MeshVertex& vertex : under_platter.vertices) {
+    vertex.position.z() = -0.6;
+    vertex.normal.z() = 1.0;
+  }
+  under_platter.vertices[1].position.x() = 0.01;
+  under_platter.vertices[2].position.y() = 0.01;
+  under_platter.triangles.push_back({0, 1, 2});
+  mapper->SetInputData(shapeOf(under_platter));
   mesh_->GetProperty()->SetInterpolationToPhong();
   mesh_->GetProperty()->SetAmbient(0.35);
   mesh_->GetProperty()->SetDiffuse(0.75);

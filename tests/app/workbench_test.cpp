@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include <QElapsedTimer>
 #include <QPushButton>
@@ -130,6 +131,7 @@ TEST_F(WorkbenchTest, ScansLiveFromTheFirstButtonToTheFiles) {
   ASSERT_TRUE(waitForPhase(ScanPhase::kDone));
   EXPECT_GE(clouds_before_last_view, 10);
   EXPECT_LE(heartbeat.worstStall_ms(), 50);
+  RecordProperty("worst_stall_ms", static_cast<int>(heartbeat.worstStall_ms()));
   ASSERT_NE(controller().cloud(), nullptr);
   EXPECT_GT(controller().cloud()->points.size(), 500U);
   ASSERT_NE(controller().mesh(), nullptr);
