@@ -26,8 +26,8 @@ struct CameraModel {
   double p2 = 0.0;
   double k3 = 0.0;
 
-  // The pixel of a point in the camera frame, or nothing when it is not in front of the camera or so
-  // far aside that the distortion polynomial folds back. The pixel may lie outside the picture.
+  // The pixel of a point in the camera frame, or nothing when it is not in front of the camera or
+  // so far aside that the distortion polynomial folds back. The pixel may lie outside the picture.
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point_in_cam) const;
 
   // The pixel of undistorted normalised coordinates (x/z, y/z).
