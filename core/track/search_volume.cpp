@@ -13,7 +13,6 @@ constexpr int kRadii = 100;
 constexpr int kHeights = 100;
 // Nothing is expected nearer to the camera than this share of its distance from the axis.
 constexpr double kReach = 0.8;
-constexpr double kSameRay = 1e-6;
 
 }  // namespace
 
@@ -25,12 +24,8 @@ SearchVolume visibleVolume(const CameraModel& camera, const Rigid3& cam_from_tab
   // A point turning at radius r passes the outline at r to either side of the axis: beyond the
   // picture's edge there, it leaves the picture in every turn.
   const auto sees = [&](const Eigen::Vector3d& point_in_table) {
-    const Eigen::Vector3d in_cam = cam_from_table * point_in_table;
-    const auto pixel = camera.project(in_cam);
-    if (!pixel || !camera.contains(*pixel)) return false;
-    // Far outside the picture barrel distortion folds back into it: such a pixel shows other rays.
-    const Eigen::Vector2d normalized = in_cam.head<2>() / in_cam.z();
-    return (camera.normalizedFromPixel(*pixel) - normalized).norm() < kSameRay;
+    const auto pixel = camera.project(cam_from_table * point_in_table);
+    return pixel && camera.contains(*pixel);
   };
   SearchVolume volume{0.0, -2.0, 0.0};
   for (int h = 0; h <= kHeights; ++h) {
