@@ -19,7 +19,7 @@ namespace gyre {
 namespace {
 
 constexpr double kReportInterval_s = 0.1;
-constexpr int kBelowWindow = 5;  // nice
+constexpr int kBelowWindow = 10;  // nice
 
 Result<void> runGuarded(const JobRunner::Job& job, const Task& task) try {
   return job(task);

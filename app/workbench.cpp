@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QTimer>
 
 #include "core/device/discovery.h"
 #include "core/scan/point_cloud.h"
@@ -158,7 +159,7 @@ void Workbench::wireResults() {
                 surface->triangles.size());
             window_.showWork(Step::kMesh);
             showSteps();
-            rememberScan();
+            QTimer::singleShot(200, this, &Workbench::rememberScan);  // after it is on the screen
           });
 }
 

@@ -11,6 +11,10 @@
 namespace gyre {
 namespace {
 
+// Enough to tell where a feature comes from; more would hide the object.
+constexpr std::size_t kTailViews = 3;
+constexpr int kTailAlpha = 90;
+
 struct MarkStyle {
   QColor colour;
   int dot_px;
@@ -19,11 +23,11 @@ struct MarkStyle {
 MarkStyle styleOf(FeatureState state) {
   switch (state) {
     case FeatureState::kNew:
-      return {QColor(235, 240, 245), 2};
+      return {QColor(235, 240, 245), 1};
     case FeatureState::kTracked:
-      return {QColor(255, 200, 60), 3};
+      return {QColor(255, 200, 60), 2};
     case FeatureState::kMeasured:
-      return {QColor(70, 225, 130), 4};
+      return {QColor(70, 225, 130), 2};
   }
   return {};
 }
@@ -87,7 +91,7 @@ void CameraView::paintMarks(QPainter& painter, double scale) const {
   for (const FeatureState state :
        {FeatureState::kNew, FeatureState::kTracked, FeatureState::kMeasured}) {
     const MarkStyle style = styleOf(state);
-    const int dot_px = std::max(2, qRound(style.dot_px * devicePixelRatioF()));
+    const int dot_px = std::max(1, qRound(style.dot_px * devicePixelRatioF()));
     std::vector<QLineF> tails;
     std::vector<QRectF> dots;
     for (const FeatureMark& mark : tracked_->marks) {
@@ -96,14 +100,15 @@ void CameraView::paintMarks(QPainter& painter, double scale) const {
       const auto at = [&](const Eigen::Vector2f& pixel) {
         return QPointF((pixel.x() + 0.5) * scale, (pixel.y() + 0.5) * scale);
       };
-      for (std::size_t i = 1; i < mark.tail.size(); ++i) {
+      const std::size_t oldest = mark.tail.size() > kTailViews ? mark.tail.size() - kTailViews : 0;
+      for (std::size_t i = oldest + 1; i < mark.tail.size(); ++i) {
         tails.emplace_back(at(mark.tail[i - 1]), at(mark.tail[i]));
       }
       const QPointF head = at(mark.tail.back());
       dots.emplace_back(head.x() - 0.5 * dot_px, head.y() - 0.5 * dot_px, dot_px, dot_px);
     }
     QColor faint = style.colour;
-    faint.setAlpha(150);
+    faint.setAlpha(kTailAlpha);
     painter.setPen(QPen(faint, 0));
     painter.drawLines(tails.data(), static_cast<int>(tails.size()));
     for (const QRectF& dot : dots) painter.fillRect(dot, style.colour);

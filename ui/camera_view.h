@@ -14,7 +14,7 @@ namespace gyre {
 using TrackedFramePtr = std::shared_ptr<const TrackedFrame>;
 
 // Shows the whole picture, as large as fits. Features are dots with tails of the last views:
-// white seen once, yellow followed, green measured; a measured one also has the larger dot.
+// white seen once, yellow followed, green measured; what is seen once has the smaller dot.
 class CameraView final : public QWidget {
   Q_OBJECT
 

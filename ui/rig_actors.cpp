@@ -103,7 +103,8 @@ RigActors::RigActors(vtkRenderer& renderer) {
   buildGrid(*grid_);
   buildAxis(*axis_);
   camera_->VisibilityOff();
-  for (vtkActor* actor : {platter_.Get(), grid_.Get(), axis_.Get(), camera_.Get()}) {
+  sight_->VisibilityOff();
+  for (vtkActor* actor : {platter_.Get(), grid_.Get(), axis_.Get(), camera_.Get(), sight_.Get()}) {
     actor->PickableOff();
     renderer.AddActor(actor);
   }
@@ -113,35 +114,48 @@ RigActors::RigActors(vtkRenderer& renderer) {
 RigActors::~RigActors() = default;
 
 void RigActors::showCamera(const Calibration& calibration) {
-  camera_->SetVisibility(calibration.cam_from_table.has_value() ? 1 : 0);
+  for (vtkActor* actor : {camera_.Get(), sight_.Get()}) {
+    actor->SetVisibility(calibration.cam_from_table.has_value() ? 1 : 0);
+  }
   if (!calibration.cam_from_table) return;
   const Rigid3 table_from_cam = calibration.cam_from_table->inverse();
   const CameraModel& model = calibration.camera;
-  const double depth_mm = 0.25 * table_from_cam.translation.norm();
-  const auto corner = [&](double u, double v) -> Eigen::Vector3d {
+  const double distance_mm = table_from_cam.translation.norm();
+  const auto at = [&](double u, double v, double depth_mm) -> Eigen::Vector3d {
     const Eigen::Vector3d in_cam((u - model.cx) / model.fx, (v - model.cy) / model.fy, 1.0);
     return table_from_cam * Eigen::Vector3d(depth_mm * in_cam);
   };
   const double width = model.width_px;
   const double height = model.height_px;
-  const std::array<Eigen::Vector3d, 4> corners = {corner(0, 0), corner(width, 0),
-                                                  corner(width, height), corner(0, height)};
+  const std::array<Eigen::Vector2d, 4> pixels = {
+      {{0.0, 0.0}, {width, 0.0}, {width, height}, {0.0, height}}};
+  std::array<Eigen::Vector3d, 4> corners;
   Lines lines;
+  Lines sight;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    corners[i] = at(pixels[i].x(), pixels[i].y(), 0.2 * distance_mm);
+    sight.add(corners[i], at(pixels[i].x(), pixels[i].y(), distance_mm));
+  }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     lines.add(table_from_cam.translation, corners[i]);
     lines.add(corners[i], corners[(i + 1) % corners.size()]);
   }
-  const Eigen::Vector3d tip = corner(0.5 * width, -0.25 * height);  // which way is up
+  const Eigen::Vector3d tip = at(0.5 * width, -0.25 * height, 0.2 * distance_mm);  // upwards
   lines.add(corners[0], tip);
   lines.add(tip, corners[1]);
   lines.giveTo(*camera_);
-  camera_->GetProperty()->SetColor(0.90, 0.55, 0.18);
+  sight.giveTo(*sight_);
+  for (vtkActor* actor : {camera_.Get(), sight_.Get()}) {
+    actor->GetProperty()->SetColor(0.90, 0.55, 0.18);
+  }
   camera_->GetProperty()->SetLineWidth(2.0F);
+  sight_->GetProperty()->SetOpacity(0.45);
 }
 
 void RigActors::setTableAngle_rad(double angle_rad) {
   // x_in_table = Rz(-angle) x_in_base: seen from the table, the camera goes the other way.
   camera_->SetOrientation(0.0, 0.0, -degFromRad(angle_rad));
+  sight_->SetOrientation(0.0, 0.0, -degFromRad(angle_rad));
 }
 
 void RigActors::setLineColour(const std::array<double, 3>& rgb) {

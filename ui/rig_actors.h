@@ -31,6 +31,7 @@ class RigActors {
   vtkNew<vtkActor> grid_;
   vtkNew<vtkActor> axis_;
   vtkNew<vtkActor> camera_;
+  vtkNew<vtkActor> sight_;  // from the camera to what it sees at the axis
 };
 
 }  // namespace gyre

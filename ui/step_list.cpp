@@ -132,6 +132,11 @@ void StepList::setStates(const StepStates& states) {
   for (std::size_t i = 0; i < kStepCount; ++i) rows_[i]->setState(states[i]);
 }
 
-void StepList::setShown(Step step) { rows_[static_cast<std::size_t>(step)]->setChecked(true); }
+void StepList::setShown(Step step) {
+  StepRow* row = rows_[static_cast<std::size_t>(step)];
+  row->setChecked(true);
+  // Who walks the steps by keyboard goes on from here.
+  if (isAncestorOf(window()->focusWidget()) || window()->focusWidget() == nullptr) row->setFocus();
+}
 
 }  // namespace gyre

@@ -111,9 +111,9 @@ QWidget* WorkPage::buildViews() {
                                 "<span style='color:#2fb567'>●</span> measured"),
                              camera_view, nullptr));
   splitter->addWidget(framed(tr("Model"), QString(), scene_view, fit));
-  splitter->setStretchFactor(0, 1);
-  splitter->setStretchFactor(1, 1);
-  splitter->setSizes({1000, 1000});
+  splitter->setStretchFactor(0, 4);
+  splitter->setStretchFactor(1, 5);
+  splitter->setSizes({1000, 1250});
   return splitter;
 }
 
@@ -128,6 +128,13 @@ void WorkPage::showPhase(ScanPhase phase) {
 void WorkPage::showStep(Step step) {
   steps->setShown(step);
   panels_->setCurrentIndex(static_cast<int>(step));
+  // Only the shown panel takes room, or short ones would scroll for the sake of the longest.
+  for (int i = 0; i < panels_->count(); ++i) {
+    const bool shown = i == panels_->currentIndex();
+    panels_->widget(i)->setSizePolicy(QSizePolicy::Preferred,
+                                      shown ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+  }
+  panels_->adjustSize();
 }
 
 }  // namespace gyre

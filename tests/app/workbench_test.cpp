@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QPushButton>
@@ -39,13 +42,31 @@ RigOptions smallRig() {
   return options;
 }
 
-// Measures how long the window's thread was away.
+// Time that a thread spent runnable while the machine ran something else.
+qint64 queued_ns(const std::filesystem::path& thread) {
+  std::ifstream file(thread / "schedstat");
+  qint64 running = 0;
+  qint64 queued = 0;
+  file >> running >> queued;
+  return queued;
+}
+
+// Measures how long the window's thread was away from its events. Time in which it, or the drawing
+// thread of a software OpenGL it waits for, was ready to run but had no processor is the machine's
+// load and does not count.
 class Heartbeat final : public QObject {
  public:
   Heartbeat() {
+    for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) {
+      std::ifstream file(thread.path() / "comm");
+      std::string name;
+      file >> name;
+      if (name.starts_with("llvmpipe")) drawing_threads_.push_back({thread.path(), 0});
+    }
+    window_thread_.path = "/proc/thread-self";
+    noteQueues();
     timer_.setTimerType(Qt::PreciseTimer);
-    connect(&timer_, &QTimer::timeout, this,
-            [this] { worst_ms_ = std::max(worst_ms_, clock_.restart() - kBeat_ms); });
+    connect(&timer_, &QTimer::timeout, this, &Heartbeat::beat);
     clock_.start();
     timer_.start(kBeat_ms);
   }
@@ -53,8 +74,31 @@ class Heartbeat final : public QObject {
 
  private:
   static constexpr int kBeat_ms = 5;
+  struct Thread {
+    std::filesystem::path path;
+    qint64 queued_ns = 0;
+  };
+
+  static qint64 advance(Thread& thread) {
+    const qint64 now_ns = queued_ns(thread.path);
+    return now_ns - std::exchange(thread.queued_ns, now_ns);
+  }
+  qint64 noteQueues() {
+    qint64 drawing_ns = 0;
+    for (Thread& thread : drawing_threads_) drawing_ns = std::max(drawing_ns, advance(thread));
+    return advance(window_thread_) + drawing_ns;
+  }
+  void beat() {
+    const qint64 away_ms = clock_.elapsed() - kBeat_ms;
+    const qint64 starved_ms = noteQueues() / 1000000;
+    worst_ms_ = std::max(worst_ms_, away_ms - starved_ms);
+    clock_.restart();
+  }
+
   QTimer timer_;
   QElapsedTimer clock_;
+  Thread window_thread_;
+  std::vector<Thread> drawing_threads_;
   qint64 worst_ms_ = 0;
 };
 
