@@ -9,13 +9,17 @@
 #include <QToolButton>
 
 #include "ui/banner.h"
+#include "ui/calibration_panel.h"
 #include "ui/camera_view.h"
 #include "ui/device_panel.h"
+#include "ui/export_panel.h"
 #include "ui/job_bar.h"
+#include "ui/mesh_panel.h"
 #include "ui/parts.h"
+#include "ui/place_panel.h"
+#include "ui/scan_panel.h"
 #include "ui/scene_view.h"
 #include "ui/step_list.h"
-#include "ui/step_panels.h"
 #include "ui/theme.h"
 
 namespace gyre {
@@ -43,6 +47,15 @@ QFrame* framed(const QString& title, const QString& legend, QWidget* view, QWidg
   layout->addLayout(row);
   layout->addWidget(view, 1);
   return frame;
+}
+
+QScrollArea* scrolled(QWidget* panel) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(panel);
+  return scroll;
 }
 
 }  // namespace
@@ -82,14 +95,9 @@ QWidget* WorkPage::buildSteps() {
        {static_cast<QWidget*>(device_panel), static_cast<QWidget*>(calibration_panel),
         static_cast<QWidget*>(place_panel), static_cast<QWidget*>(scan_panel),
         static_cast<QWidget*>(mesh_panel), static_cast<QWidget*>(export_panel)}) {
-    panels_->addWidget(panel);
+    panels_->addWidget(scrolled(panel));
   }
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(panels_);
-  layout->addWidget(scroll, 1);
+  layout->addWidget(panels_, 1);
   connect(steps, &StepList::stepChosen, this, &WorkPage::showStep);
   return column;
 }
@@ -128,13 +136,6 @@ void WorkPage::showPhase(ScanPhase phase) {
 void WorkPage::showStep(Step step) {
   steps->setShown(step);
   panels_->setCurrentIndex(static_cast<int>(step));
-  // Only the shown panel takes room, or short ones would scroll for the sake of the longest.
-  for (int i = 0; i < panels_->count(); ++i) {
-    const bool shown = i == panels_->currentIndex();
-    panels_->widget(i)->setSizePolicy(QSizePolicy::Preferred,
-                                      shown ? QSizePolicy::Preferred : QSizePolicy::Ignored);
-  }
-  panels_->adjustSize();
 }
 
 }  // namespace gyre

@@ -23,9 +23,10 @@
 #include "ui/banner.h"
 #include "ui/device_panel.h"
 #include "ui/job_bar.h"
+#include "ui/place_panel.h"
+#include "ui/scan_panel.h"
 #include "ui/scene_view.h"
 #include "ui/start_page.h"
-#include "ui/step_panels.h"
 #include "ui/work_page.h"
 
 namespace gyre {

@@ -1,6 +1,6 @@
-// The panels of steps 2, 3 and 4: calibration, placing, scan.
+// Step 4: how many views, and where they are kept.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/step_panels.h"
+#include "ui/scan_panel.h"
 
 #include <QButtonGroup>
 #include <QFileDialog>
@@ -11,91 +11,6 @@
 #include "ui/parts.h"
 
 namespace gyre {
-
-CalibrationPanel::CalibrationPanel(QWidget* parent) : QWidget(parent) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  QVBoxLayout* card = nullptr;
-  layout->addWidget(makeCard(card));
-  card->addWidget(makeLabel(tr("Calibration"), "heading"));
-  source_ = makeLabel(QString());
-  figures_ = makeLabel(QString(), "muted");
-  card->addWidget(source_);
-  card->addWidget(figures_);
-  auto* open = makeButton(tr("Open calibration…"),
-                          tr("Take the calibration of this camera and table from a file"));
-  card->addWidget(open);
-  layout->addStretch(1);
-  connect(open, &QPushButton::clicked, this, [this] {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open calibration"), QString(),
-                                                      tr("Calibration (*.json)"));
-    if (!path.isEmpty()) Q_EMIT fileChosen(path);
-  });
-  showNone();
-}
-
-void CalibrationPanel::showCalibration(const Calibration& calibration, const QString& source) {
-  source_->setText(source);
-  const CameraModel& camera = calibration.camera;
-  QString text = tr("Pictures of %1 × %2 px, focal length %3 px")
-                     .arg(camera.width_px)
-                     .arg(camera.height_px)
-                     .arg(camera.fx, 0, 'f', 1);
-  text += calibration.cam_from_table
-              ? tr("\nCamera %1 mm from the middle of the table")
-                    .arg(calibration.cam_from_table->translation.norm(), 0, 'f', 1)
-              : tr("\nThe place of the camera at the table is not known: this calibration cannot "
-                   "be used for a scan.");
-  figures_->setText(text);
-}
-
-void CalibrationPanel::showNone() {
-  source_->setText(tr("None yet."));
-  figures_->setText(
-      tr("A scan needs to know the camera and its place at the table. The simulated "
-         "rig brings its own calibration."));
-}
-
-PlacePanel::PlacePanel(QWidget* parent) : QWidget(parent) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  QVBoxLayout* card = nullptr;
-  layout->addWidget(makeCard(card));
-  card->addWidget(makeLabel(tr("The empty table"), "heading"));
-  card->addWidget(
-      makeLabel(tr("Take everything off the table. A picture of it tells the object "
-                   "from the ground it stands on.")));
-  take_ = makeButton(tr("Take the picture"), tr("Take a picture of the empty table"));
-  card->addWidget(take_);
-  taken_ = makeLabel(QString(), "muted");
-  card->addWidget(taken_);
-  QVBoxLayout* object = nullptr;
-  layout->addWidget(makeCard(object));
-  object->addWidget(makeLabel(tr("The object"), "heading"));
-  object->addWidget(
-      makeLabel(tr("Put the object in the middle of the table. From here on, the "
-                   "camera may not be touched.")));
-  placed_ = makePrimaryButton(tr("The object is in place"), tr("Go on to the scan"));
-  object->addWidget(placed_);
-  layout->addStretch(1);
-  connect(take_, &QPushButton::clicked, this, &PlacePanel::emptyTableRequested);
-  connect(placed_, &QPushButton::clicked, this, &PlacePanel::objectPlaced);
-  reset();
-}
-
-void PlacePanel::showPhase(ScanPhase phase) {
-  const bool at_rest =
-      phase == ScanPhase::kReady || phase == ScanPhase::kDone || phase == ScanPhase::kFailed;
-  take_->setEnabled(at_rest);
-  placed_->setEnabled(at_rest);
-}
-
-void PlacePanel::showEmptyTableTaken() { taken_->setText(tr("✓ The empty table has been seen.")); }
-
-void PlacePanel::reset() {
-  taken_->setText(
-      tr("Without it, the object is told from what stands still while the table turns."));
-}
 
 ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);

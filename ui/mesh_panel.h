@@ -1,0 +1,42 @@
+// Step 5: makes the surface, says what it is like, and chooses what is shown.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "core/scan/mesh_health.h"
+#include "ui/cloud_actors.h"
+#include "ui/facts.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace gyre {
+
+class MeshPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MeshPanel(QWidget* parent = nullptr);
+
+ public Q_SLOTS:
+  void showPhase(gyre::ScanPhase phase);
+  void showHealth(const gyre::MeshHealth& health);
+  void showNoMesh();
+
+ Q_SIGNALS:
+  void meshRequested(double gap_size_mm);  // 0: the program's choice
+  void coloursChosen(gyre::CloudColours colours);
+  void surfaceShown();
+  void pointsShown();
+
+ private:
+  QDoubleSpinBox* gap_mm_;
+  QPushButton* make_;
+  QComboBox* show_;
+  QLabel* health_;
+};
+
+}  // namespace gyre
