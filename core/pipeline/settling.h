@@ -21,7 +21,7 @@ class Settling {
   // flickering lamp, a curtain), a fixed delay is waited from then on.
   Result<FramePtr> grabStill(Camera& camera, double stood_s, const Task& task);
 
-  double delay_s() const { return delay_s_; }
+  double delaySeconds() const { return delay_s_; }
 
  private:
   Result<FramePtr> watch(Camera& camera, double stood_s, const Task& task);

@@ -67,8 +67,8 @@ TEST(Settling, WaitsUntilTheObjectStandsAndLearnsHowLongThatTakes) {
   const auto frame = settling.grabStill(camera, 0.0, {});
   ASSERT_TRUE(frame);
   EXPECT_GE((*frame)->time_s, 0.3);
-  EXPECT_GE(settling.delay_s(), 0.3);
-  EXPECT_LT(settling.delay_s(), 0.7);
+  EXPECT_GE(settling.delaySeconds(), 0.3);
+  EXPECT_LT(settling.delaySeconds(), 0.7);
 }
 
 TEST(Settling, CostsOnePictureAViewOnceTheTableIsKnownToBeStiff) {
@@ -76,14 +76,14 @@ TEST(Settling, CostsOnePictureAViewOnceTheTableIsKnownToBeStiff) {
   Settling settling;
   for (int view = 0; view < 13; ++view) ASSERT_TRUE(settling.grabStill(camera, 1.0, {}));
   EXPECT_EQ(camera.pictures_, 3U * 2U + 10U);
-  EXPECT_EQ(settling.delay_s(), 0.0);
+  EXPECT_EQ(settling.delaySeconds(), 0.0);
 }
 
 TEST(Settling, FallsBackToAFixedDelayWhereNothingEverComesToRest) {
   SwingingCamera camera(1e9);
   Settling settling;
   ASSERT_TRUE(settling.grabStill(camera, 0.0, {}));
-  EXPECT_GT(settling.delay_s(), 0.0);
+  EXPECT_GT(settling.delaySeconds(), 0.0);
   const std::uint64_t watched = camera.pictures_;
   ASSERT_TRUE(settling.grabStill(camera, 10.0, {}));
   EXPECT_EQ(camera.pictures_, watched + 1);
