@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/pause_gate.h"
+#include "core/base/address.h"
 #include "core/io/calibration_file.h"
 #include "core/io/obj.h"
 #include "core/io/ply.h"
@@ -32,7 +33,7 @@ struct ScanController::Outcome {
   PointCloudPtr cloud;
   MeshPtr mesh;
   MeshHealth health;
-  std::optional<Error> mesh_problem;
+  std::optional<Error> problem;  // shown beside what there is
   std::filesystem::path folder;
 };
 
@@ -145,27 +146,21 @@ void ScanController::resumeScan() {
   run(in_place ? ScanBegin::kResumedInPlace : ScanBegin::kResumed, request);
 }
 
-void ScanController::run(ScanBegin begin, const ScanRequest& request) {
-  auto live = std::make_shared<Live>();
-  auto result = std::make_shared<Outcome>();
-  live_ = live;
-  folder_ = request.folder;
-  mesh_ = nullptr;
-  facts_ = {};
-  facts_.views = request.views;
-  clock_.start();
-  paused_ms_ = 0;
-
+ScanPlan ScanController::planFor(ScanBegin begin, const ScanRequest& request) const {
   ScanPlan plan;
   plan.folder = request.folder;
   plan.begin = begin;
   plan.settings.title = request.title.toStdString();
   plan.settings.turntable = devices_.turntableWord().toStdString();
-  plan.settings.camera = devices_.cameraWord().toStdString();
+  plan.settings.camera = withoutPassword(devices_.cameraWord().toStdString());
   plan.settings.views = request.views;
   plan.calibration = *calibration_;
   plan.empty_table = empty_table_;
+  return plan;
+}
 
+// What it sets is called in other threads.
+ScanObserver ScanController::observerOf(const std::shared_ptr<Live>& live) {
   ScanObserver observer;
   observer.on_begin = [this, live](int views_done, int views) {
     live->views_done = views_done;
@@ -188,12 +183,27 @@ void ScanController::run(ScanBegin begin, const ScanRequest& request) {
     QMetaObject::invokeMethod(
         this, [this] { setPhase(ScanPhase::kFinishing); }, Qt::QueuedConnection);
   };
+  return observer;
+}
+
+void ScanController::run(ScanBegin begin, const ScanRequest& request) {
+  auto live = std::make_shared<Live>();
+  auto result = std::make_shared<Outcome>();
+  live_ = live;
+  folder_ = request.folder;
+  mesh_ = nullptr;
+  facts_ = {};
+  facts_.views = request.views;
+  clock_.start();
+  paused_ms_ = 0;
+
   stopped_rig_.reset();
   setPhase(ScanPhase::kScanning);
   Q_EMIT factsChanged(facts_);
   Q_EMIT logged(tr("Scan into %1").arg(QString::fromStdString(folder_.string())));
   devices_.runAlone(
-      [rig = devices_.rig(), plan, observer, result](const Task& task) -> Result<void> {
+      [rig = devices_.rig(), plan = planFor(begin, request), observer = observerOf(live),
+       result](const Task& task) -> Result<void> {
         auto done = runScanSession(*rig, plan, observer, task);
         if (!done) return done.error();
         result->cloud = std::make_shared<const PointCloud>(std::move(done->reconstruction.cloud));
@@ -201,7 +211,7 @@ void ScanController::run(ScanBegin begin, const ScanRequest& request) {
           result->health = meshHealth(done->results.mesh);
           result->mesh = std::make_shared<const Mesh>(std::move(done->results.mesh));
         }
-        result->mesh_problem = done->results.mesh_problem;
+        result->problem = done->problem;
         return {};
       },
       [this, result](const Result<void>& outcome) { finished(outcome, result); });
@@ -253,7 +263,7 @@ void ScanController::finished(const Result<void>& outcome, const std::shared_ptr
 }
 
 void ScanController::showMesh(const std::shared_ptr<Outcome>& result) {
-  if (result->mesh_problem) Q_EMIT failed(*result->mesh_problem);
+  if (result->problem) Q_EMIT failed(*result->problem);
   if (!result->mesh) return;
   mesh_ = result->mesh;
   Q_EMIT meshMade(mesh_, result->health);

@@ -86,6 +86,8 @@ class ScanController final : public QObject {
   void devicesClosed();
   bool refuse(const QString& what, const QString& advice);
   bool readyToScan();
+  ScanPlan planFor(ScanBegin begin, const ScanRequest& request) const;
+  ScanObserver observerOf(const std::shared_ptr<Live>& live);
   void run(ScanBegin begin, const ScanRequest& request);
   void deliver();
   void finished(const Result<void>& outcome, const std::shared_ptr<Outcome>& result);

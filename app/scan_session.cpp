@@ -76,7 +76,10 @@ Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
   if (!reconstruction) return reconstruction.error();
   auto results = writeScanResults(*store, *reconstruction, task.part(0.9, 1.0));
   if (!results) return results.error();
-  return ScanSessionResult{std::move(reconstruction).value(), std::move(results).value()};
+  std::optional<Error> problem = results->mesh_problem;
+  const auto enough = enoughPoints(reconstruction->cloud, store->views().size());
+  if (!enough) problem = enough.error();
+  return ScanSessionResult{std::move(reconstruction).value(), std::move(results).value(), problem};
 }
 
 Result<OpenedModel> openScanOrModel(const std::filesystem::path& path, const Task& task) {
