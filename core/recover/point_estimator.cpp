@@ -135,7 +135,7 @@ std::optional<Eigen::Vector3d> bestHypothesis(const Problem& problem, double min
   constexpr double kTruncation = 16.0;  // four standard deviations, squared
   double best_cost = std::numeric_limits<double>::infinity();
   std::optional<Eigen::Vector3d> best;
-  const auto tryPair = [&](std::size_t a, std::size_t b) {
+  const auto try_pair = [&](std::size_t a, std::size_t b) {
     const auto x = intersectTwoRays(problem.ray(a), problem.ray(b), min_parallax_rad / 4.0);
     if (!x) return;
     double cost = 0.0;
@@ -147,12 +147,12 @@ std::optional<Eigen::Vector3d> bestHypothesis(const Problem& problem, double min
   };
   if (n * (n - 1) / 2 <= kHypotheses) {
     for (std::size_t a = 0; a < n; ++a) {
-      for (std::size_t b = a + 1; b < n; ++b) tryPair(a, b);
+      for (std::size_t b = a + 1; b < n; ++b) try_pair(a, b);
     }
   } else {
     for (int i = 0; i < kHypotheses; ++i) {
       const std::size_t a = random.below(n - min_gap);
-      tryPair(a, a + min_gap + random.below(n - a - min_gap));
+      try_pair(a, a + min_gap + random.below(n - a - min_gap));
     }
   }
   return best;

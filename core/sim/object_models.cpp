@@ -98,15 +98,15 @@ struct Profile {
 // Foot, belly, neck and flared lip: a cylinder with Gaussian rings.
 Profile vaseProfile(double z) {
   Profile profile{10.0, 0.0};
-  const auto addRing = [&](double height, double centre, double width) {
+  const auto add_ring = [&](double height, double centre, double width) {
     const double t = (z - centre) / width;
     const double ring = height * std::exp(-t * t);
     profile.radius += ring;
     profile.slope -= 2.0 * t / width * ring;
   };
-  addRing(12.5, 24.0, 15.0);
-  addRing(5.0, -2.0, 6.0);
-  addRing(6.0, 70.0, 9.0);
+  add_ring(12.5, 24.0, 15.0);
+  add_ring(5.0, -2.0, 6.0);
+  add_ring(6.0, 70.0, 9.0);
   return profile;
 }
 

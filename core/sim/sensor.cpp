@@ -101,7 +101,7 @@ Frame Sensor::expose(const LightImage& light, std::uint64_t noise_seed) const {
   frame.image_bgr.create(light.height_px, light.width_px, CV_8UC3);
   const int reach = static_cast<int>(kernel_.size() / 2);
   const auto values = static_cast<std::size_t>(3 * light.width_px);
-  const auto exposeRows = [&](std::size_t begin, std::size_t end) {
+  const auto expose_rows = [&](std::size_t begin, std::size_t end) {
     const int first = std::max(static_cast<int>(begin) - reach, 0);
     const int last = std::min(static_cast<int>(end) + reach, light.height_px) - 1;
     std::vector<std::vector<float>> along(static_cast<std::size_t>(last - first + 1));
@@ -123,7 +123,7 @@ Frame Sensor::expose(const LightImage& light, std::uint64_t noise_seed) const {
                frame.image_bgr.ptr<std::uint8_t>(y));
     }
   };
-  parallelFor(static_cast<std::size_t>(light.height_px), kRowsAtOnce, exposeRows);
+  parallelFor(static_cast<std::size_t>(light.height_px), kRowsAtOnce, expose_rows);
   return frame;
 }
 

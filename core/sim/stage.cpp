@@ -40,7 +40,7 @@ Stage::Stage(const RigSettings& rig)
   platter_point_in_base_.resize(pixels);
   background_.resize(pixels);
   const Background background(rig);
-  const auto castPixel = [&](int x, int y) {
+  const auto cast_pixel = [&](int x, int y) {
     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px_) +
                               static_cast<std::size_t>(x);
     const Eigen::Vector2d normalized = truth.camera.normalizedFromPixel({x, y});
@@ -69,7 +69,7 @@ Stage::Stage(const RigSettings& rig)
   parallelFor(static_cast<std::size_t>(rig.image_height_px), 4,
               [&](std::size_t begin, std::size_t end) {
                 for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y)
-                  for (int x = 0; x < width_px_; ++x) castPixel(x, y);
+                  for (int x = 0; x < width_px_; ++x) cast_pixel(x, y);
               });
 }
 

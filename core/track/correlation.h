@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 #include <Eigen/Core>
@@ -15,7 +16,7 @@ inline constexpr int kPatchRadius_px = 5;
 inline constexpr int kPatchSide_px = 2 * kPatchRadius_px + 1;
 
 // A square of grey values with mean 0 and length 1.
-using NormalizedPatch = std::array<float, kPatchSide_px * kPatchSide_px>;
+using NormalizedPatch = std::array<float, std::size_t{kPatchSide_px} * kPatchSide_px>;
 
 // The patch around a pixel, bilinearly sampled; nothing when it leaves the picture or is flat.
 std::optional<NormalizedPatch> samplePatch(const cv::Mat& grey, const Eigen::Vector2d& pixel);

@@ -28,16 +28,16 @@ std::optional<EpipolarMatch> EpipolarSearch::find(const cv::Mat& from_grey,
   span->from = std::max(span->from, 1.0);
 
   // Coarse projections along the ray give the curve; each piece is then walked pixel by pixel.
-  const auto pixelAt = [&](double share) {
+  const auto pixel_at = [&](double share) {
     const double distance = span->from + share * (span->to - span->from);
     return camera_.project(to_cam_from_table * (ray.origin + distance * ray.direction));
   };
   constexpr int kPieces = 8;
   std::optional<EpipolarMatch> best;
   int candidates = 0;
-  auto previous = pixelAt(0.0);
+  auto previous = pixel_at(0.0);
   for (int piece = 1; piece <= kPieces; ++piece) {
-    const auto next = pixelAt(static_cast<double>(piece) / kPieces);
+    const auto next = pixel_at(static_cast<double>(piece) / kPieces);
     if (previous && next) {
       const Eigen::Vector2d along = *next - *previous;
       const int steps = std::max(1, static_cast<int>(std::ceil(along.lpNorm<Eigen::Infinity>())));
