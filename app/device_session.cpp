@@ -62,7 +62,7 @@ void DeviceSession::open(const QString& turntable, const QString& camera) {
         }
         rig_ = std::exchange(result->rig, nullptr);
         Q_EMIT opened(result->turntable, result->camera);
-        Q_EMIT angleKnown_deg(result->angle_deg);
+        Q_EMIT angleKnownDeg(result->angle_deg);
         startPreview();
       });
 }
@@ -91,11 +91,11 @@ void DeviceSession::requestStop() {
   camera_jobs_.requestStop();
 }
 
-void DeviceSession::turnBy_deg(double by_deg) {
+void DeviceSession::turnByDeg(double by_deg) {
   move([by_deg](double now_deg) { return now_deg + by_deg; });
 }
 
-void DeviceSession::turnTo_deg(double to_deg) {
+void DeviceSession::turnToDeg(double to_deg) {
   move([to_deg](double) { return to_deg; });
 }
 
@@ -117,7 +117,7 @@ void DeviceSession::move(std::function<double(double now_deg)> target_deg) {
         if (!outcome && outcome.error().code != Error::Code::kCancelled) {
           Q_EMIT failed(outcome.error());
         }
-        Q_EMIT angleKnown_deg(*angle_deg);
+        Q_EMIT angleKnownDeg(*angle_deg);
       });
 }
 

@@ -40,8 +40,8 @@ class DeviceSession final : public QObject {
   void open(const QString& turntable, const QString& camera);
   void close();
   void confirmTurntable();
-  void turnBy_deg(double by_deg);
-  void turnTo_deg(double to_deg);
+  void turnByDeg(double by_deg);
+  void turnToDeg(double to_deg);
   void releaseMotor();
   void lockCamera();
   void startPreview();
@@ -51,7 +51,7 @@ class DeviceSession final : public QObject {
   void closed();
   void openFailed(const gyre::Error& error);
   void failed(const gyre::Error& error);
-  void angleKnown_deg(double angle_deg);
+  void angleKnownDeg(double angle_deg);
   void cameraTold(const gyre::CameraInfo& camera);
   void frameArrived(const gyre::FramePtr& frame);
   void progressed(double fraction, const QString& stage);

@@ -87,8 +87,8 @@ void Workbench::wireDevices() {
             devices->open(turntable, camera);
           });
   connect(panel, &DevicePanel::disconnectRequested, devices, &DeviceSession::close);
-  connect(panel, &DevicePanel::turnRequested_deg, devices, &DeviceSession::turnBy_deg);
-  connect(panel, &DevicePanel::angleRequested_deg, devices, &DeviceSession::turnTo_deg);
+  connect(panel, &DevicePanel::turnRequestedDeg, devices, &DeviceSession::turnByDeg);
+  connect(panel, &DevicePanel::angleRequestedDeg, devices, &DeviceSession::turnToDeg);
   connect(panel, &DevicePanel::releaseRequested, devices, &DeviceSession::releaseMotor);
   connect(panel, &DevicePanel::lockRequested, devices, &DeviceSession::lockCamera);
   connect(panel, &DevicePanel::turntableConfirmed, this, [this, devices] {
@@ -101,7 +101,7 @@ void Workbench::wireDevices() {
     demo_ = false;
     window_.showPhase(controller_.phase());
   });
-  connect(devices, &DeviceSession::angleKnown_deg, panel, &DevicePanel::showAngle_deg);
+  connect(devices, &DeviceSession::angleKnownDeg, panel, &DevicePanel::showAngleDeg);
   connect(devices, &DeviceSession::cameraTold, panel, &DevicePanel::showCamera);
   connect(devices, &DeviceSession::frameArrived, window_.work_page->camera_view,
           &CameraView::showFrame);
@@ -176,7 +176,7 @@ void Workbench::wireFacts() {
   });
   connect(&controller_, &ScanController::tracked, this, [page](const TrackedFramePtr& tracked) {
     page->camera_view->showTrackedFrame(tracked);
-    page->scene_view->showTableAngle_rad(tracked->frame->table_angle_rad);
+    page->scene_view->showTableAngleRad(tracked->frame->table_angle_rad);
   });
   connect(&controller_, &ScanController::cloudGrew, this, [this, page](const PointCloudPtr& cloud) {
     page->scene_view->showCloud(cloud);

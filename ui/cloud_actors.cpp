@@ -25,7 +25,7 @@ constexpr std::size_t kChunkPoints = 65536;
 // What a processor draws in about 50 ms at two cores.
 constexpr std::size_t kMovingBudget = 150000;
 
-double percentile95_mm(const PointCloud& cloud) {
+double percentile95Mm(const PointCloud& cloud) {
   constexpr std::size_t kSamples = 4096;
   const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kSamples);
   std::vector<double> sigmas;
@@ -64,7 +64,7 @@ void CloudActors::show(PointCloudPtr cloud, CloudColours colours) {
   cloud_ = std::move(cloud);
   colours_ = colours;
   bounds_ = cloud_ ? boundsOf(*cloud_) : Bounds{};
-  worst_sigma_mm_ = cloud_ ? std::max(percentile95_mm(*cloud_), 1e-3) : 0.1;
+  worst_sigma_mm_ = cloud_ ? std::max(percentile95Mm(*cloud_), 1e-3) : 0.1;
   next_chunk_ = 0;
 }
 
@@ -133,7 +133,7 @@ void CloudActors::setVisible(CloudVisibility visibility) {
   }
 }
 
-void CloudActors::setPointSize_px(float size_px) {
+void CloudActors::setPointSizePx(float size_px) {
   point_size_px_ = size_px;
   for (const auto& chunk : chunks_) chunk->actor->GetProperty()->SetPointSize(size_px);
 }

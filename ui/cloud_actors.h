@@ -32,12 +32,12 @@ class CloudActors {
 
   void setDetail(CloudDetail detail);
   void setVisible(CloudVisibility visibility);
-  void setPointSize_px(float size_px);
+  void setPointSizePx(float size_px);
 
   std::size_t size() const { return cloud_ ? cloud_->points.size() : 0; }
   Bounds bounds() const { return bounds_; }
   // The uncertainty drawn in the last colour of the scale. [mm]
-  double worstShownSigma_mm() const { return worst_sigma_mm_; }
+  double worstShownSigmaMm() const { return worst_sigma_mm_; }
 
  private:
   struct Chunk;

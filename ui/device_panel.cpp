@@ -133,7 +133,7 @@ void DevicePanel::buildMoves(QVBoxLayout& layout) {
     button->setMinimumWidth(44);
     button->setStyleSheet("padding-left: 4px; padding-right: 4px;");
     connect(button, &QPushButton::clicked, this,
-            [this, by_deg] { Q_EMIT turnRequested_deg(by_deg); });
+            [this, by_deg] { Q_EMIT turnRequestedDeg(by_deg); });
     jog->addWidget(button);
   }
   card->addLayout(jog);
@@ -152,7 +152,7 @@ void DevicePanel::buildMoves(QVBoxLayout& layout) {
   row->addWidget(release);
   card->addLayout(row);
   connect(go, &QPushButton::clicked, this,
-          [this] { Q_EMIT angleRequested_deg(target_deg_->value()); });
+          [this] { Q_EMIT angleRequestedDeg(target_deg_->value()); });
   connect(release, &QPushButton::clicked, this, &DevicePanel::releaseRequested);
 }
 
@@ -264,7 +264,7 @@ void DevicePanel::showCamera(const CameraInfo& info) {
   camera_card_->show();
 }
 
-void DevicePanel::showAngle_deg(double angle_deg) {
+void DevicePanel::showAngleDeg(double angle_deg) {
   angle_->setText(tr("Table at %1°").arg(angle_deg, 0, 'f', 2));
 }
 

@@ -36,7 +36,7 @@ class DevicePanel final : public QWidget {
   void showPhase(gyre::ScanPhase phase);
   void showTurntable(const gyre::TurntableInfo& info);
   void showCamera(const gyre::CameraInfo& info);
-  void showAngle_deg(double angle_deg);
+  void showAngleDeg(double angle_deg);
   void askWhetherTurntable();  // hides the moves until the user says yes
   void allowMoving();
 
@@ -45,8 +45,8 @@ class DevicePanel final : public QWidget {
   void connectRequested(const QString& turntable, const QString& camera);
   void disconnectRequested();
   void turntableConfirmed();
-  void turnRequested_deg(double by_deg);
-  void angleRequested_deg(double to_deg);
+  void turnRequestedDeg(double by_deg);
+  void angleRequestedDeg(double to_deg);
   void releaseRequested();
   void lockRequested();
 

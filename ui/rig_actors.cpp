@@ -152,7 +152,7 @@ void RigActors::showCamera(const Calibration& calibration) {
   sight_->GetProperty()->SetOpacity(0.45);
 }
 
-void RigActors::setTableAngle_rad(double angle_rad) {
+void RigActors::setTableAngleRad(double angle_rad) {
   // x_in_table = Rz(-angle) x_in_base: seen from the table, the camera goes the other way.
   camera_->SetOrientation(0.0, 0.0, -degFromRad(angle_rad));
   sight_->SetOrientation(0.0, 0.0, -degFromRad(angle_rad));

@@ -21,7 +21,7 @@ class RigActors {
 
   // Places the camera where it is at table angle 0; hides it when the calibration has no pose.
   void showCamera(const Calibration& calibration);
-  void setTableAngle_rad(double angle_rad);
+  void setTableAngleRad(double angle_rad);
   void setLineColour(const std::array<double, 3>& rgb);
 
   static constexpr double kPlatterRadius_mm = 90.0;

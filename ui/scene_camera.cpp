@@ -65,14 +65,14 @@ void SceneCamera::rotate(double right, double down) {
 
 void SceneCamera::pan(double right, double down) {
   const Eigen::Vector3d up = towardsEye().cross(rightward());
-  focus_ += viewHeight_mm() * (down * up - right * rightward());
+  focus_ += viewHeightMm() * (down * up - right * rightward());
 }
 
 void SceneCamera::zoom(double factor) {
   distance_mm_ = std::clamp(distance_mm_ / factor, 1.0, 20000.0);
 }
 
-double SceneCamera::viewHeight_mm() const {
+double SceneCamera::viewHeightMm() const {
   return 2.0 * distance_mm_ * std::tan(0.5 * kViewAngle_rad);
 }
 

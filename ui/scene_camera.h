@@ -22,7 +22,7 @@ class SceneCamera {
   void zoom(double factor);  // > 1 comes nearer
 
   // Millimetres that the view's height shows at the distance of the point looked at.
-  double viewHeight_mm() const;
+  double viewHeightMm() const;
 
   void applyTo(vtkCamera& camera) const;
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int kMargin_px = 14;
 
 // The longest of 1, 2, 5 times a power of ten that does not exceed the length.
-double roundLength_mm(double longest_mm) {
+double roundLengthMm(double longest_mm) {
   const double decade = std::pow(10.0, std::floor(std::log10(longest_mm)));
   for (const double step : {5.0, 2.0}) {
     if (step * decade <= longest_mm) return step * decade;
@@ -47,7 +47,7 @@ void SceneOverlay::paintEvent(QPaintEvent*) {
 
 void SceneOverlay::paintScaleBar(QPainter& painter) const {
   const double mm_per_px = view_height_mm_ / height();
-  const double length_mm = roundLength_mm(mm_per_px * 140.0);
+  const double length_mm = roundLengthMm(mm_per_px * 140.0);
   const int length_px = static_cast<int>(std::lround(length_mm / mm_per_px));
   const int right = width() - kMargin_px;
   const int y = height() - kMargin_px;

@@ -84,8 +84,8 @@ void SceneView::showCalibration(const Calibration& calibration) {
   redraw();
 }
 
-void SceneView::showTableAngle_rad(double angle_rad) {
-  actors_->rig().setTableAngle_rad(angle_rad);
+void SceneView::showTableAngleRad(double angle_rad) {
+  actors_->rig().setTableAngleRad(angle_rad);
   redraw();
 }
 
@@ -107,9 +107,9 @@ void SceneView::fit() {
 void SceneView::redraw() {
   if (canvas_ == nullptr) return;
   actors_->lookThrough(camera_);
-  overlay_->setScale(camera_.viewHeight_mm(), colours_ == CloudColours::kUncertainty
-                                                  ? actors_->cloud().worstShownSigma_mm()
-                                                  : 0.0);
+  overlay_->setScale(camera_.viewHeightMm(), colours_ == CloudColours::kUncertainty
+                                                 ? actors_->cloud().worstShownSigmaMm()
+                                                 : 0.0);
   canvas_->requestRender();
 }
 

@@ -40,7 +40,7 @@ class SceneView final : public QWidget {
   void showCloud(const gyre::PointCloudPtr& cloud);
   void showMesh(const gyre::MeshPtr& mesh);  // null: the cloud again
   void showCalibration(const gyre::Calibration& calibration);
-  void showTableAngle_rad(double angle_rad);
+  void showTableAngleRad(double angle_rad);
   void setColours(gyre::CloudColours colours);
   void lookFrom(gyre::ViewSide side);
   void fit();

@@ -44,7 +44,7 @@ RigOptions smallRig() {
 }
 
 // Time that a thread spent runnable while the machine ran something else.
-qint64 queued_ns(const std::filesystem::path& thread) {
+qint64 queuedNs(const std::filesystem::path& thread) {
   std::ifstream file(thread / "schedstat");
   qint64 running = 0;
   qint64 queued = 0;
@@ -71,7 +71,7 @@ class Heartbeat final : public QObject {
     clock_.start();
     timer_.start(kBeat_ms);
   }
-  qint64 worstStall_ms() const { return worst_ms_; }
+  qint64 worstStallMs() const { return worst_ms_; }
 
  private:
   static constexpr int kBeat_ms = 5;
@@ -81,7 +81,7 @@ class Heartbeat final : public QObject {
   };
 
   static qint64 advance(Thread& thread) {
-    const qint64 now_ns = queued_ns(thread.path);
+    const qint64 now_ns = queuedNs(thread.path);
     return now_ns - std::exchange(thread.queued_ns, now_ns);
   }
   qint64 noteQueues() {
@@ -175,8 +175,8 @@ TEST_F(WorkbenchTest, ScansLiveFromTheFirstButtonToTheFiles) {
   const Heartbeat heartbeat;
   ASSERT_TRUE(waitForPhase(ScanPhase::kDone));
   EXPECT_GE(clouds_before_last_view, 10);
-  EXPECT_LE(heartbeat.worstStall_ms(), 50);
-  RecordProperty("worst_stall_ms", static_cast<int>(heartbeat.worstStall_ms()));
+  EXPECT_LE(heartbeat.worstStallMs(), 50);
+  RecordProperty("worst_stall_ms", static_cast<int>(heartbeat.worstStallMs()));
   ASSERT_NE(controller().cloud(), nullptr);
   EXPECT_GT(controller().cloud()->points.size(), 500U);
   ASSERT_NE(controller().mesh(), nullptr);

@@ -122,7 +122,7 @@ TEST_F(WindowRealPort, MovesNothingBeforeTheUserSaysItIsATurntable) {
   connectDevices();
   EXPECT_FALSE(controller().devices().mayMove());
   QSignalSpy failed(&controller(), &ScanController::failed);
-  Q_EMIT page().device_panel->turnRequested_deg(10.0);
+  Q_EMIT page().device_panel->turnRequestedDeg(10.0);
   QTest::qWait(1000);
   EXPECT_EQ(failed.count(), 1);
   EXPECT_EQ(desk_.shaft().steps(), 0);

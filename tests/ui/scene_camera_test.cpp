@@ -35,7 +35,7 @@ TEST(SceneCamera, FitsTheWholeBox) {
   SceneCamera camera;
   camera.fit(box());
   EXPECT_TRUE(focusOf(camera).isApprox(Eigen::Vector3d(10.0, 0.0, 20.0)));
-  EXPECT_GT(camera.viewHeight_mm(), box().diagonal());
+  EXPECT_GT(camera.viewHeightMm(), box().diagonal());
 }
 
 TEST(SceneCamera, StaysWhenThereIsNothingToFit) {
@@ -56,9 +56,9 @@ TEST(SceneCamera, LooksFromTheFrontAlongX) {
 TEST(SceneCamera, ComesNearerByZooming) {
   SceneCamera camera;
   camera.fit(box());
-  const double before_mm = camera.viewHeight_mm();
+  const double before_mm = camera.viewHeightMm();
   camera.zoom(2.0);
-  EXPECT_NEAR(camera.viewHeight_mm(), 0.5 * before_mm, 1e-9);
+  EXPECT_NEAR(camera.viewHeightMm(), 0.5 * before_mm, 1e-9);
 }
 
 TEST(SceneCamera, NeverTipsOver) {
