@@ -42,13 +42,12 @@ QString devicesSentence(const Listed& listed) {
 
 }  // namespace
 
-Workbench::Workbench(const RigOptions& rig) : controller_(rig), listing_jobs_("gyre-listing") {
+Workbench::Workbench(const RigOptions& rig) : controller_(rig), small_jobs_("gyre-small") {
   wireStart();
   wireDevices();
   wireScan();
   wireResults();
   wireFacts();
-  window_.start_page->showRecent(settings_.recentScans());
   listDevices();
   showSteps();
 }
@@ -57,6 +56,8 @@ void Workbench::wireStart() {
   StartPage* page = window_.start_page;
   connect(page, &StartPage::demoRequested, this,
           [this] { runDemo("duck", 72, settings_.newScanFolder(tr("Duck"))); });
+  connect(page, &StartPage::shown, this,
+          [this, page] { page->showRecent(settings_.recentScans()); });
   connect(&window_, &MainWindow::newScanRequested, this, &Workbench::newScan);
   connect(&window_, &MainWindow::openRequested, this, &Workbench::open);
   connect(&window_, &MainWindow::themeChosen, this, [this](ThemeChoice choice) {
@@ -207,7 +208,7 @@ void Workbench::wireFacts() {
 
 void Workbench::listDevices() {
   auto listed = std::make_shared<Listed>();
-  listing_jobs_.start(
+  small_jobs_.start(
       [listed](const Task&) -> Result<void> {
         listed->ports = listPorts();
         listed->cameras = listCameras();
@@ -323,11 +324,16 @@ void Workbench::rememberScan() {
   scan.title = title_;
   scan.when = QDateTime::currentDateTime();
   scan.size_mm = boundsOf(*controller_.mesh()).diagonal();
-  const QImage picture = window_.work_page->scene_view->picture();
-  picture.scaled(288, 216, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation)
-      .save(QDir(scan.folder).filePath("thumbnail.png"));
   settings_.rememberScan(scan);
-  window_.start_page->showRecent(settings_.recentScans());
+  const QString file = QDir(scan.folder).filePath("thumbnail.png");
+  small_jobs_.start(
+      [picture = window_.work_page->scene_view->picture(), file](const Task&) -> Result<void> {
+        // A scan without a thumbnail is listed with a drawing in its place.
+        (void)picture.scaled(288, 216, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation)
+            .save(file);
+        return {};
+      },
+      [](const Result<void>&) {});
 }
 
 }  // namespace gyre

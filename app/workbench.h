@@ -41,7 +41,7 @@ class Workbench final : public QObject {
   Settings settings_;
   MainWindow window_;
   ScanController controller_;
-  JobRunner listing_jobs_;
+  JobRunner small_jobs_;  // lists devices, writes thumbnails
   QString device_id_;
   QString title_;
   bool placed_ = false;

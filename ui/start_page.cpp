@@ -131,6 +131,11 @@ void StartPage::showRecent(const std::vector<RecentScan>& scans) {
   nothing_recent_->setVisible(scans.empty());
 }
 
+void StartPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  Q_EMIT shown();
+}
+
 void StartPage::showDevices(const QString& sentence) { devices_->setText(sentence); }
 
 }  // namespace gyre

@@ -29,6 +29,10 @@ class StartPage final : public QWidget {
   void newScanRequested();
   void openRequested();
   void recentChosen(const QString& folder);
+  void shown();  // what it lists may have changed
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
   QListWidget* recent_;
