@@ -124,6 +124,7 @@ Result<void> placeTriangles(AlphaShapeMesh& shape) {
   places.reserve(shape.mesh.vertices.size());
   for (const MeshVertex& vertex : shape.mesh.vertices) places.push_back(vertex.position);
   std::vector<double> alphas_mm;
+  alphas_mm.reserve(std::size(kAlphaLadder));
   for (const double step : kAlphaLadder) alphas_mm.push_back(step * shape.alpha_mm);
   const auto facets = outerAlphaFacets(places, alphas_mm);
   if (!facets) return facets.error();

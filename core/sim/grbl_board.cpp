@@ -13,7 +13,6 @@ constexpr std::size_t kLongestLine = 80;
 // A motor that is stopped dead runs on for about this long: why the firmware calls it lost.
 constexpr double kSlip_s = 0.01;
 
-constexpr int kInvalidStatement = 3;
 constexpr int kSettingDisabled = 5;
 constexpr int kNotIdle = 8;
 constexpr int kLocked = 9;

@@ -61,7 +61,7 @@ Result<RigSettings> rigFromJson(const std::string& text, const RigSettings& base
   RigSettings rig = base;
   const OptionList list = OptionList::of(rig);
   for (auto entry = json.begin(); entry != json.end(); ++entry) {
-    const std::string key = entry.key();
+    const std::string& key = entry.key();
     const auto option = std::find_if(list.options().begin(), list.options().end(),
                                      [&](const Option& each) { return keyOf(each) == key; });
     if (option == list.options().end())
