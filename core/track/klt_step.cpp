@@ -14,13 +14,16 @@ const cv::TermCriteria kStopping(cv::TermCriteria::COUNT + cv::TermCriteria::EPS
 
 cv::Point2f cvPoint(const Eigen::Vector2f& pixel) { return {pixel.x(), pixel.y()}; }
 
-void follow(const GreyPyramid& first, const GreyPyramid& second, int window_px,
-            const std::vector<cv::Point2f>& from, std::vector<cv::Point2f>& to,
-            std::vector<std::uint8_t>& found) {
+// Moves `to` from the prediction to where the features are; gives 1 for each that was found.
+std::vector<std::uint8_t> follow(const GreyPyramid& first, const GreyPyramid& second, int window_px,
+                                 const std::vector<cv::Point2f>& from,
+                                 std::vector<cv::Point2f>& to) {
+  std::vector<std::uint8_t> found;
   std::vector<float> unused_error;
   cv::calcOpticalFlowPyrLK(first.levels, second.levels, from, to, found, unused_error,
                            {window_px, window_px}, kLevels, kStopping,
                            cv::OPTFLOW_USE_INITIAL_FLOW);
+  return found;
 }
 
 }  // namespace
@@ -34,11 +37,9 @@ std::vector<KltOutcome> kltStep(const GreyPyramid& first, const GreyPyramid& sec
     from.push_back(cvPoint(move.from));
     to.push_back(cvPoint(move.predicted));
   }
-  std::vector<std::uint8_t> found;
-  std::vector<std::uint8_t> found_back;
-  follow(first, second, window_px, from, to, found);
+  const auto found = follow(first, second, window_px, from, to);
   std::vector<cv::Point2f> back = from;
-  follow(second, first, window_px, to, back, found_back);
+  const auto found_back = follow(second, first, window_px, to, back);
 
   std::vector<KltOutcome> outcomes(moves.size());
   for (std::size_t i = 0; i < moves.size(); ++i) {
