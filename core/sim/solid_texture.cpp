@@ -65,7 +65,8 @@ SolidTexture::SolidTexture(std::uint64_t seed, double finest_mm, double coarsest
   const Tile wide = blurred(white, kWide);
   for (std::size_t i = 0; i < kCells; ++i) tile_[i] -= wide[i];
 
-  for (double wave_mm = finest_mm; wave_mm <= coarsest_mm * 1.0001; wave_mm *= 2.0) {
+  double wave_mm = finest_mm;
+  while (wave_mm <= coarsest_mm * 1.0001) {
     const Eigen::Quaterniond turn = Eigen::Quaterniond(random.gaussian(), random.gaussian(),
                                                        random.gaussian(), random.gaussian())
                                         .normalized();
@@ -76,6 +77,7 @@ SolidTexture::SolidTexture(std::uint64_t seed, double finest_mm, double coarsest
       octave.shift[axis] = static_cast<float>(8192.0 + random.uniform(0.0, kSide));
     }
     octaves_.push_back(octave);
+    wave_mm *= 2.0;
   }
 
   // Interpolation takes some of the variance away: measure what is left instead of assuming it.
