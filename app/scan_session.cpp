@@ -11,6 +11,7 @@
 #include "app/empty_table.h"
 #include "app/scan_files.h"
 #include "core/base/clock.h"
+#include "core/base/median.h"
 #include "core/io/model_file.h"
 #include "core/io/scan_store.h"
 #include "core/mesh/mesh_health.h"
@@ -119,9 +120,7 @@ std::optional<double> medianSigmaMm(const PointCloud& cloud) {
   std::vector<double> sigmas;
   sigmas.reserve(cloud.points.size());
   for (const Point& point : cloud.points) sigmas.push_back(point.sigmaMm());
-  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
-  std::nth_element(sigmas.begin(), middle, sigmas.end());
-  return *middle;
+  return median(std::move(sigmas));
 }
 
 }  // namespace gyre

@@ -24,10 +24,6 @@ bool isPictureName(const std::filesystem::path& file) {
          ending == ".tiff" || ending == ".bmp";
 }
 
-std::string sizeText(const PictureSize& size) {
-  return std::to_string(size.width_px) + " x " + std::to_string(size.height_px);
-}
-
 }  // namespace
 
 Result<std::vector<std::filesystem::path>> listPictures(const std::filesystem::path& folder) {
@@ -59,11 +55,11 @@ Result<PictureSize> commonSize(std::span<const std::filesystem::path> pictures) 
     if (!header) return header.error();
     const PictureSize size{header->width_px, header->height_px};
     if (first.width_px == 0) first = size;
-    if (size.width_px != first.width_px || size.height_px != first.height_px) {
+    if (size != first) {
       return Error{Error::Code::kInvalidInput,
                    "The pictures have different sizes: \"" + pictures.front().filename().string() +
-                       "\" has " + sizeText(first) + " pixels, \"" + picture.filename().string() +
-                       "\" has " + sizeText(size) + ".",
+                       "\" has " + first.text() + " pixels, \"" + picture.filename().string() +
+                       "\" has " + size.text() + ".",
                    "Use pictures of one camera, taken with the same settings."};
     }
   }

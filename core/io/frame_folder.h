@@ -7,14 +7,9 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/scan/picture_size.h"
 
 namespace gyre {
-
-// Width and height shared by all pictures of a folder. [px]
-struct PictureSize {
-  int width_px = 0;
-  int height_px = 0;
-};
 
 // The folder's PNG, JPEG, TIFF and BMP files by their endings, in natural order. Hidden files are
 // passed over. Fails when there is no such folder and when it holds no picture.

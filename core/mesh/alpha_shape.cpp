@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/median.h"
 #include "core/mesh/alpha_facets.h"
 #include "core/mesh/components.h"
 #include "core/mesh/kd_tree.h"
@@ -59,12 +60,6 @@ KdTree treeOf(const PointCloud& cloud) {
 bool lacksNormals(const PointCloud& cloud) {
   return std::all_of(cloud.points.begin(), cloud.points.end(),
                      [](const Point& point) { return point.normal.isZero(); });
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 MeshVertex vertexOf(const Point& point) {

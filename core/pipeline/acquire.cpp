@@ -10,6 +10,7 @@
 #include "core/base/units.h"
 #include "core/pipeline/settling.h"
 #include "core/pipeline/sharpness.h"
+#include "core/scan/picture_size.h"
 
 namespace gyre {
 namespace {
@@ -31,19 +32,6 @@ std::vector<int> missingViews(const ScanStore& store) {
     if (captured[static_cast<std::size_t>(view)] == 0) missing.push_back(view);
   }
   return missing;
-}
-
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + " x " + std::to_string(height);
-}
-
-Result<void> checkSize(const cv::Mat& image, const CameraModel& calibrated) {
-  if (image.cols == calibrated.width_px && image.rows == calibrated.height_px) return {};
-  return Error{Error::Code::kInvalidInput,
-               "The camera gives pictures of " + sizeText(image.cols, image.rows) +
-                   " pixels, but the calibration is for " +
-                   sizeText(calibrated.width_px, calibrated.height_px) + ".",
-               "Set the camera to the mode in which it was calibrated, or calibrate this mode."};
 }
 
 std::string stageText(int view, int views) {
@@ -70,7 +58,10 @@ Result<void> acquireMissing(Turntable& turntable, Camera& camera, ScanStore& sto
     const auto picture =
         captureView(turntable, camera, settling, viewAngle(settings, view), silent);
     if (!picture) return picture.error();
-    if (const auto fits = checkSize((*picture)->image_bgr, store.calibration().camera); !fits) {
+    const cv::Mat& image = (*picture)->image_bgr;
+    if (auto fits = checkCalibratedSize({image.cols, image.rows}, store.calibration().camera,
+                                        "The camera's pictures have");
+        !fits) {
       return fits;
     }
     Frame frame = **picture;

@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "core/base/clock.h"
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/mesh/point_normals.h"
 #include "core/pipeline/cloud_filter.h"
+#include "core/scan/picture_size.h"
 #include "core/track/empty_table_mask.h"
 #include "core/track/feature_tracker.h"
 #include "core/track/moving_mask.h"
@@ -23,18 +25,10 @@ namespace {
 constexpr double kShownParallax_rad = 0.08;
 constexpr std::size_t kGrain = 64;
 
-std::string sizeText(int width_px, int height_px) {
-  return std::to_string(width_px) + "x" + std::to_string(height_px);
-}
-
 Result<void> checkSize(const CameraModel& camera, const Frame& frame) {
   const cv::Mat& image = frame.image_bgr;
-  if (image.cols == camera.width_px && image.rows == camera.height_px) return {};
-  return Error{Error::Code::kInvalidInput,
-               "The picture " + frame.name + " has " + sizeText(image.cols, image.rows) +
-                   " pixels, the calibration was made at " +
-                   sizeText(camera.width_px, camera.height_px) + ".",
-               "Use the pictures as the camera gave them, or calibrate at this size."};
+  return checkCalibratedSize({image.cols, image.rows}, camera,
+                             "The picture " + frame.name + " has");
 }
 
 // The middle colour of all sightings, each channel by itself: a highlight in some does no harm.
@@ -43,9 +37,7 @@ Rgb middleColour(const std::vector<Rgb>& colours) {
   std::vector<std::uint8_t> values(colours.size());
   for (std::size_t channel = 0; channel < middle.size(); ++channel) {
     for (std::size_t i = 0; i < colours.size(); ++i) values[i] = colours[i][channel];
-    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), half, values.end());
-    middle[channel] = *half;
+    middle[channel] = median(values);
   }
   return middle;
 }
@@ -79,13 +71,6 @@ std::vector<Eigen::Vector3d> directionsToCameras(
     directions.push_back(sum);
   }
   return directions;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), half, values.end());
-  return *half;
 }
 
 }  // namespace

@@ -146,12 +146,7 @@ Result<void> checkSizes(const PreparedPictures& prepared) {
   for (const PictureView& view : prepared.views) files.push_back(view.file);
   const auto size = commonSize(files);
   if (!size) return size.error();
-  const CameraModel& camera = prepared.calibration.camera;
-  if (size->width_px == camera.width_px && size->height_px == camera.height_px) return {};
-  return invalid("The pictures have " + std::to_string(size->width_px) + "x" +
-                     std::to_string(size->height_px) + " pixels, the calibration was made at " +
-                     std::to_string(camera.width_px) + "x" + std::to_string(camera.height_px) + ".",
-                 "Use the pictures as the camera gave them, or calibrate at this size.");
+  return checkCalibratedSize(*size, prepared.calibration.camera, "The pictures have");
 }
 
 void findMasks(const fs::path& folder, std::vector<PictureView>& views) {

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/check.h"
+#include "core/base/median.h"
 
 namespace gyre {
 namespace {
@@ -37,22 +38,16 @@ cv::Mat smallGrey(const cv::Mat& image_bgr) {
   return exact;
 }
 
-double medianOf(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
-}
-
 }  // namespace
 
 bool somethingMoved(const cv::Mat& before_bgr, const cv::Mat& after_bgr) {
   GYRE_CHECK(before_bgr.size() == after_bgr.size());
   const cv::Mat change = smallGrey(after_bgr) - smallGrey(before_bgr);
   std::vector<float> values(change.begin<float>(), change.end<float>());
-  const double brightening = medianOf(values);
-  for (float& value : values) value = std::abs(value - static_cast<float>(brightening));
+  const float brightening = median(values);
+  for (float& value : values) value = std::abs(value - brightening);
   // Most of the picture stands still, so the median difference is noise: sigma = 1.48 of it.
-  const double noise = 1.4826 * medianOf(values);
+  const double noise = 1.4826 * static_cast<double>(median(values));
   const double limit = std::max(kSmallestStep, kSigmas * noise);
   const auto moved = std::count_if(values.begin(), values.end(),
                                    [&](float value) { return static_cast<double>(value) > limit; });

@@ -202,10 +202,6 @@ Result<PointEstimator> PointEstimator::create(const RecoverOptions& options) {
   return PointEstimator(options);
 }
 
-void PointEstimator::setPoses(std::vector<Rigid3> cam_from_table_of_view) {
-  poses_ = std::move(cam_from_table_of_view);
-}
-
 std::optional<EstimatedPoint> PointEstimator::estimate(std::span<const Sighting> sightings,
                                                        std::uint64_t seed) const {
   const auto n = static_cast<int>(sightings.size());

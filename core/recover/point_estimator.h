@@ -38,7 +38,6 @@ class PointEstimator {
   static Result<PointEstimator> create(const RecoverOptions& options);
 
   // Sightings name their views by index into these poses.
-  void setPoses(std::vector<Rigid3> cam_from_table_of_view);
   void addPose(const Rigid3& cam_from_table) { poses_.push_back(cam_from_table); }
   const std::vector<Rigid3>& poses() const { return poses_; }
 

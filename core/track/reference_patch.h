@@ -46,11 +46,10 @@ class ReferencePatch {
  private:
   ReferencePatch() = default;
 
-  using Parameters = Eigen::Matrix<float, 6, 1>;  // dx, dy, then the shape's columns
-
   int radius_px_ = 0;
-  std::vector<float> values_;                        // mean 0, length 1
-  Eigen::Matrix<float, 6, Eigen::Dynamic> descent_;  // inverse Hessian times steepest descent
+  std::vector<float> values_;  // mean 0, length 1
+  // Inverse Hessian times steepest descent; rows: dx, dy, then the shape's columns.
+  Eigen::Matrix<float, 6, Eigen::Dynamic> descent_;
   double sigma_per_noise_ = 0.0;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/track/turn_gap.h"
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
+#include "core/base/median.h"
 #include "core/track/correlation.h"
 #include "core/track/klt_step.h"
 
@@ -11,12 +12,6 @@ namespace gyre {
 namespace {
 
 constexpr std::size_t kLeastFeatures = 10;
-
-double median(std::vector<double>& values) {
-  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), half, values.end());
-  return *half;
-}
 
 }  // namespace
 
@@ -43,7 +38,8 @@ std::optional<TurnGap> measureTurnGap(const TurnEnds& ends, std::span<const Late
     gaps_mm.push_back(gaps_px.back() * mm_per_px[i]);
   }
   if (gaps_px.size() < kLeastFeatures) return std::nullopt;
-  return TurnGap{median(gaps_px), median(gaps_mm), gaps_px.size()};
+  const std::size_t count = gaps_px.size();
+  return TurnGap{median(std::move(gaps_px)), median(std::move(gaps_mm)), count};
 }
 
 }  // namespace gyre

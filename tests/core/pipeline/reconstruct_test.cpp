@@ -113,7 +113,7 @@ TEST_F(Reconstruct, RefusesACalibrationOfAnotherPictureSize) {
   ASSERT_TRUE(writeCalibration(dir_.path() / "calibration.json", other));
   const auto refused = preparePictures(set());
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().what.find("400x300"), std::string::npos);
+  EXPECT_NE(refused.error().what.find("400 x 300"), std::string::npos);
 }
 
 TEST_F(Reconstruct, RefusesPicturesOfMixedSizesAndTruncatedOnes) {
