@@ -3,6 +3,7 @@
 #include "app/gui.h"
 
 #include <cstdio>
+#include <string>
 #include <utility>
 
 #include <QApplication>
@@ -25,8 +26,8 @@ bool hasDisplay() {
          qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
 }
 
-int failWith(const char* sentence) {
-  std::fprintf(stderr, "gyre: %s\n", sentence);
+int failWith(const std::string& sentence) {
+  std::fprintf(stderr, "gyre: %s\n", sentence.c_str());
   return 1;
 }
 
@@ -42,10 +43,11 @@ class Photographer final : public QObject {
   Photographer(Workbench& bench, const GuiOptions& options)
       : bench_(bench), file_(QString::fromStdString(options.screenshot.string())) {
     bench_.window().show();
-    QTimer::singleShot(kPatience_ms, this, [] { QApplication::exit(1); });
-    connect(&bench_.controller(), &ScanController::failed, this, [](const Error& error) {
-      std::fprintf(stderr, "gyre: %s\n", error.sentence().c_str());
+    QTimer::singleShot(kPatience_ms, this, [] {
+      QApplication::exit(failWith("The scene did not come about within ten minutes."));
     });
+    connect(&bench_.controller(), &ScanController::failed, this,
+            [](const Error& error) { QApplication::exit(failWith(error.sentence())); });
     if (options.scene == "start") {
       QTimer::singleShot(500, this, [this] { take(); });
       return;
@@ -74,8 +76,10 @@ class Photographer final : public QObject {
   void take() {
     bench_.window().work_page->scene_view->picture();
     saved_ = bench_.window().grab().save(file_);
-    connect(&bench_.controller(), &ScanController::quiet, this,
-            [this] { QApplication::exit(saved_ ? 0 : 1); });
+    connect(&bench_.controller(), &ScanController::quiet, this, [this] {
+      QApplication::exit(
+          saved_ ? 0 : failWith("The picture could not be written. Is its folder writable?"));
+    });
     bench_.controller().shutDown();
   }
 
@@ -92,8 +96,7 @@ int takeScreenshot(const GuiOptions& options) {
   applyTheme(*qApp, ThemeChoice::kLight);
   Workbench bench(rig);
   const Photographer photographer(bench, options);
-  if (QApplication::exec() == 0) return 0;
-  return failWith("The picture could not be made. Is its folder writable?");
+  return QApplication::exec();
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ constexpr double kConnect_s = 5.0;
 // What a picture needs from the sensor to the driver: USB cameras about a frame at 30 a second;
 // cameras on a network code it, buffer it and send it.
 constexpr double kUsbDelay_s = 0.04;
+// A simulated camera has no cable that could be pulled: when it is silent, the processor is busy.
+constexpr double kSimSilence_s = 60.0;
 constexpr double kNetworkDelay_s = 0.25;
 
 Result<std::unique_ptr<SimulatedRoom>> furnish(const std::string& turntable_word,
@@ -75,7 +77,10 @@ Result<std::unique_ptr<Camera>> openSimulated(const RigOptions& options, Simulat
   auto source =
       std::make_unique<SimCamera>(room->renderer, room->shaft, SimClock(options.sim_speed));
   room->camera = source.get();
-  return std::unique_ptr<Camera>(std::make_unique<StreamingCamera>(std::move(source)));
+  StreamingCameraOptions streaming;
+  streaming.silence_s = kSimSilence_s;
+  streaming.patience_s = 2.0 * kSimSilence_s;
+  return std::unique_ptr<Camera>(std::make_unique<StreamingCamera>(std::move(source), streaming));
 }
 
 }  // namespace
