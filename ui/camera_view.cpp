@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <utility>
 
 #include <QPainter>
 
@@ -14,6 +14,10 @@ namespace {
 // Enough to tell where a feature comes from; more would hide the object.
 constexpr std::size_t kTailViews = 3;
 constexpr int kTailAlpha = 90;
+
+const QColor kGoodMark(70, 225, 130);
+const QColor kBadMark(255, 90, 70);
+const QColor kArrowMark(60, 190, 255);
 
 struct MarkStyle {
   QColor colour;
@@ -59,6 +63,11 @@ void CameraView::showTrackedFrame(const TrackedFramePtr& tracked) {
   rebuild();
 }
 
+void CameraView::setOverlay(std::vector<PictureMark> overlay) {
+  overlay_ = std::move(overlay);
+  rebuild();
+}
+
 void CameraView::clear(const QString& why) {
   words_ = why;
   frame_.reset();
@@ -83,7 +92,9 @@ void CameraView::rebuild() {
   QPainter painter(&drawn_);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.drawImage(QRectF(QPointF(), device_size), imageOf(*frame_));
-  paintMarks(painter, device_size.width() / static_cast<double>(frame_->image_bgr.cols));
+  const double scale = device_size.width() / static_cast<double>(frame_->image_bgr.cols);
+  paintMarks(painter, scale);
+  paintOverlay(painter, scale);
 }
 
 void CameraView::paintMarks(QPainter& painter, double scale) const {
@@ -112,6 +123,33 @@ void CameraView::paintMarks(QPainter& painter, double scale) const {
     painter.setPen(QPen(faint, 0));
     painter.drawLines(tails.data(), static_cast<int>(tails.size()));
     for (const QRectF& dot : dots) painter.fillRect(dot, style.colour);
+  }
+}
+
+void CameraView::paintOverlay(QPainter& painter, double scale) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double radius = 4.0 * devicePixelRatioF();
+  const double line = 1.5 * devicePixelRatioF();
+  for (const PictureMark& mark : overlay_) {
+    const QPointF at((mark.at_px.x() + 0.5) * scale, (mark.at_px.y() + 0.5) * scale);
+    switch (mark.shape) {
+      case PictureMark::Shape::kCircle:
+        painter.setPen(QPen(kGoodMark, line));
+        painter.drawEllipse(at, radius, radius);
+        break;
+      case PictureMark::Shape::kCross:
+        painter.setPen(QPen(kBadMark, line));
+        painter.drawLine(at + QPointF(-radius, -radius), at + QPointF(radius, radius));
+        painter.drawLine(at + QPointF(-radius, radius), at + QPointF(radius, -radius));
+        break;
+      case PictureMark::Shape::kArrow: {
+        const QPointF to((mark.to_px.x() + 0.5) * scale, (mark.to_px.y() + 0.5) * scale);
+        painter.setPen(QPen(kArrowMark, line));
+        painter.drawLine(at, to);
+        painter.drawEllipse(at, 0.3 * radius, 0.3 * radius);
+        break;
+      }
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <QPixmap>
 #include <QWidget>
@@ -12,6 +13,14 @@
 namespace gyre {
 
 using TrackedFramePtr = std::shared_ptr<const TrackedFrame>;
+
+// Something to point at in the picture. The shapes differ as well as the colours.
+struct PictureMark {
+  enum class Shape { kCircle, kCross, kArrow };
+  Shape shape = Shape::kCircle;
+  Eigen::Vector2f at_px = Eigen::Vector2f::Zero();  // raw picture coordinates
+  Eigen::Vector2f to_px = Eigen::Vector2f::Zero();  // of an arrow: its tip
+};
 
 // Shows the whole picture, as large as fits. Features are dots with tails of the last views:
 // white seen once, yellow followed, green measured; what is seen once has the smaller dot.
@@ -26,6 +35,8 @@ class CameraView final : public QWidget {
  public Q_SLOTS:
   void showFrame(const gyre::FramePtr& frame);
   void showTrackedFrame(const gyre::TrackedFramePtr& tracked);
+  // Laid over this and all coming pictures until other ones are given.
+  void setOverlay(std::vector<gyre::PictureMark> overlay);
   void clear(const QString& why);  // shows the words in place of a picture
 
  protected:
@@ -36,9 +47,11 @@ class CameraView final : public QWidget {
   QRectF pictureArea() const;
   void rebuild();
   void paintMarks(QPainter& painter, double scale) const;
+  void paintOverlay(QPainter& painter, double scale) const;
 
   FramePtr frame_;
   TrackedFramePtr tracked_;
+  std::vector<PictureMark> overlay_;
   QString words_;
   QPixmap drawn_;  // picture and marks in device pixels of the picture's area
 };

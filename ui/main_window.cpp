@@ -79,6 +79,7 @@ void MainWindow::buildViewMenu() {
     view->addAction(text, work_page->scene_view,
                     [this, side = side] { work_page->scene_view->lookFrom(side); });
   }
+  view->addAction(tr("&Whole rig, with the camera\t7"), work_page->scene_view, &SceneView::fitRig);
   view->addAction(tr("F&it the object\tF"), work_page->scene_view, &SceneView::fit);
   view->addSeparator();
   QMenu* theme = view->addMenu(tr("&Colours"));

@@ -134,12 +134,12 @@ void RigActors::showCamera(const Calibration& calibration) {
   Lines sight;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     corners[i] = at(pixels[i].x(), pixels[i].y(), 0.2 * distance_mm);
-    sight.add(corners[i], at(pixels[i].x(), pixels[i].y(), distance_mm));
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     lines.add(table_from_cam.translation, corners[i]);
     lines.add(corners[i], corners[(i + 1) % corners.size()]);
   }
+  sight.add(at(model.cx, model.cy, 0.2 * distance_mm), at(model.cx, model.cy, distance_mm));
   const Eigen::Vector3d tip = at(0.5 * width, -0.25 * height, 0.2 * distance_mm);  // upwards
   lines.add(corners[0], tip);
   lines.add(tip, corners[1]);
@@ -156,6 +156,15 @@ void RigActors::setTableAngleRad(double angle_rad) {
   // x_in_table = Rz(-angle) x_in_base: seen from the table, the camera goes the other way.
   camera_->SetOrientation(0.0, 0.0, -degFromRad(angle_rad));
   sight_->SetOrientation(0.0, 0.0, -degFromRad(angle_rad));
+}
+
+Bounds RigActors::cameraBounds() const {
+  Bounds bounds;
+  if (camera_->GetVisibility() == 0) return bounds;
+  const double* drawn = camera_->GetBounds();  // x from, x to, y from, ...; turned as it is shown
+  bounds.include({drawn[0], drawn[2], drawn[4]});
+  bounds.include({drawn[1], drawn[3], drawn[5]});
+  return bounds;
 }
 
 void RigActors::setLineColour(const std::array<double, 3>& rgb) {

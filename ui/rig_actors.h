@@ -7,6 +7,7 @@
 #include <vtkNew.h>
 
 #include "core/scan/calibration.h"
+#include "core/scan/point_cloud.h"
 
 class vtkActor;
 class vtkRenderer;
@@ -22,6 +23,8 @@ class RigActors {
   // Places the camera where it is at table angle 0; hides it when the calibration has no pose.
   void showCamera(const Calibration& calibration);
   void setTableAngleRad(double angle_rad);
+  // What the drawn camera fills now; empty while it is hidden. [mm]
+  Bounds cameraBounds() const;
   void setLineColour(const std::array<double, 3>& rgb);
 
   static constexpr double kPlatterRadius_mm = 90.0;
@@ -31,7 +34,7 @@ class RigActors {
   vtkNew<vtkActor> grid_;
   vtkNew<vtkActor> axis_;
   vtkNew<vtkActor> camera_;
-  vtkNew<vtkActor> sight_;  // from the camera to what it sees at the axis
+  vtkNew<vtkActor> sight_;  // the optical axis, from the camera to the height of the table's
 };
 
 }  // namespace gyre

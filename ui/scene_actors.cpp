@@ -57,7 +57,7 @@ vtkSmartPointer<vtkPolyData> shapeOf(const Mesh& mesh) {
 
 }  // namespace
 
-SceneActors::SceneActors() : cloud_(*renderer_), rig_(*renderer_) {
+SceneActors::SceneActors() : cloud_(*renderer_), rig_(*renderer_), target_(*renderer_) {
   vtkNew<vtkPolyDataMapper> mapper;
   mesh_->SetMapper(mapper);
   // As with the cloud: a speck under the platter has the programs for meshes compiled early.
@@ -148,6 +148,18 @@ void SceneActors::showMesh(const MeshPtr& mesh) {
   cloud_.setVisible(mesh ? CloudVisibility::kHidden : CloudVisibility::kShown);
   if (!mesh) return;
   vtkPolyDataMapper::SafeDownCast(mesh_->GetMapper())->SetInputData(shapeOf(*mesh));
+}
+
+Bounds SceneActors::rigBounds() const {
+  Bounds bounds = objectBounds();
+  constexpr double kRadius = RigActors::kPlatterRadius_mm;
+  bounds.include({-kRadius, -kRadius, 0.0});
+  bounds.include({kRadius, kRadius, 0.0});
+  if (const Bounds camera = rig_.cameraBounds(); !camera.empty()) {
+    bounds.include(camera.min);
+    bounds.include(camera.max);
+  }
+  return bounds;
 }
 
 Bounds SceneActors::objectBounds() const {

@@ -9,6 +9,7 @@
 #include "core/scan/point_cloud.h"
 #include "ui/cloud_actors.h"
 #include "ui/rig_actors.h"
+#include "ui/target_actor.h"
 
 class vtkActor;
 class vtkRenderer;
@@ -33,12 +34,15 @@ class SceneActors {
   CloudActors& cloud() { return cloud_; }
   const CloudActors& cloud() const { return cloud_; }
   RigActors& rig() { return rig_; }
+  TargetActor& target() { return target_; }
 
   // Shows the mesh in place of the cloud; null shows the cloud again.
   void showMesh(const MeshPtr& mesh);
 
   // What the object fills; the platter while there is nothing of it. [mm]
   Bounds objectBounds() const;
+  // The same with the platter and, where it is known, the camera. [mm]
+  Bounds rigBounds() const;
 
  private:
   void buildCornerAxes();
@@ -48,6 +52,7 @@ class SceneActors {
   vtkNew<vtkActor> mesh_;
   CloudActors cloud_;
   RigActors rig_;
+  TargetActor target_;
   Bounds mesh_bounds_;
 };
 

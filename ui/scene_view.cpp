@@ -39,7 +39,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), actors_(std::make_uniqu
   canvas_->widget()->setFocusPolicy(Qt::StrongFocus);
   canvas_->widget()->setAccessibleName(tr("3D view of the scan"));
   canvas_->widget()->setToolTip(
-      tr("Drag to turn, Shift+drag to move, wheel to zoom. Keys 1–6: views, F: fit."));
+      tr("Drag to turn, Shift+drag to move, wheel to zoom. Keys 1–6: views, 7: the whole rig, F: "
+         "fit."));
   canvas_->widget()->installEventFilter(this);
   fill_timer_.setSingleShot(true);
   connect(&fill_timer_, &QTimer::timeout, this, &SceneView::fillCloud);
@@ -89,6 +90,18 @@ void SceneView::showTableAngleRad(double angle_rad) {
   redraw();
 }
 
+void SceneView::showTarget(const Target& target, const Rigid3& table_from_target) {
+  if (canvas_ == nullptr) return;
+  actors_->target().show(target, table_from_target);
+  redraw();
+}
+
+void SceneView::hideTarget() {
+  if (canvas_ == nullptr) return;
+  actors_->target().hide();
+  redraw();
+}
+
 void SceneView::setColours(CloudColours colours) {
   colours_ = colours;
   showCloud(cloud_);
@@ -101,6 +114,11 @@ void SceneView::lookFrom(ViewSide side) {
 
 void SceneView::fit() {
   camera_.fit(actors_->objectBounds());
+  redraw();
+}
+
+void SceneView::fitRig() {
+  camera_.fit(actors_->rigBounds());
   redraw();
 }
 
@@ -194,6 +212,9 @@ bool SceneView::key(int key) {
       return true;
     case Qt::Key_6:
       lookFrom(ViewSide::kIso);
+      return true;
+    case Qt::Key_7:
+      fitRig();
       return true;
     case Qt::Key_F:
       fit();

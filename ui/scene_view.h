@@ -10,6 +10,7 @@
 #include "core/scan/calibration.h"
 #include "core/scan/mesh.h"
 #include "core/scan/point_cloud.h"
+#include "core/scan/target.h"
 #include "ui/cloud_actors.h"
 #include "ui/scene_camera.h"
 
@@ -23,7 +24,7 @@ class SceneCanvas;
 class SceneOverlay;
 
 // Left drag turns the view, middle or Shift+left drag moves it, the wheel zooms. Keys: 1 front,
-// 2 back, 3 left, 4 right, 5 top, 6 oblique, F fit.
+// 2 back, 3 left, 4 right, 5 top, 6 oblique, 7 the whole rig with its camera, F fit.
 class SceneView final : public QWidget {
   Q_OBJECT
 
@@ -41,9 +42,12 @@ class SceneView final : public QWidget {
   void showMesh(const gyre::MeshPtr& mesh);  // null: the cloud again
   void showCalibration(const gyre::Calibration& calibration);
   void showTableAngleRad(double angle_rad);
+  void showTarget(const gyre::Target& target, const gyre::Rigid3& table_from_target);
+  void hideTarget();
   void setColours(gyre::CloudColours colours);
   void lookFrom(gyre::ViewSide side);
   void fit();
+  void fitRig();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
