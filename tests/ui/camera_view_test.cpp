@@ -44,6 +44,24 @@ TEST(CameraView, DrawsAMeasuredFeatureOnItsPixel) {
   EXPECT_EQ(image.pixelColor(170, 200), QColor(Qt::black));
 }
 
+TEST(CameraView, LaysMarksOverEveryPictureUntilTheyAreTakenAway) {
+  using Shape = PictureMark::Shape;
+  CameraView view;
+  view.resize(640, 480);
+  const PictureMark cross{Shape::kCross, {200.0F, 400.0F}, {0.0F, 0.0F}};
+  const PictureMark arrow{Shape::kArrow, {600.0F, 400.0F}, {700.0F, 400.0F}};
+  view.setOverlay({cross, arrow});
+  for (int picture = 0; picture < 2; ++picture) {
+    view.showFrame(plainFrame(1280, 960, {0, 0, 0}));
+    const QImage image = shown(view);
+    EXPECT_GT(image.pixelColor(100, 200).red(), 150) << "the middle of the cross";
+    EXPECT_EQ(image.pixelColor(107, 200), QColor(Qt::black)) << "beside the cross";
+    EXPECT_GT(image.pixelColor(330, 200).blue(), 150) << "along the arrow";
+  }
+  view.setOverlay({});
+  EXPECT_EQ(shown(view).pixelColor(330, 200), QColor(Qt::black));
+}
+
 TEST(CameraView, SaysWhyThereIsNoPicture) {
   CameraView view;
   view.resize(300, 200);

@@ -177,5 +177,34 @@ TEST_F(SceneViewTest, FitsASmallObject) {
   EXPECT_GT(find(seen(), kRed).pixels, 2 * before);
 }
 
+TEST_F(SceneViewTest, ShowsTheWholeRigWithItsCamera) {
+  constexpr QRgb kCamera = qRgb(230, 140, 46);
+  Calibration calibration;
+  calibration.camera = {640, 480, 1200.0, 1200.0, 0.0, 319.5, 239.5};
+  // 350 mm off along x, looking back at the axis: cam z = -x, cam y = -z of the table.
+  Rigid3 cam_from_table;
+  cam_from_table.rotation << 0, 1, 0, 0, 0, -1, -1, 0, 0;
+  cam_from_table.translation = {0.0, 20.0, 350.0};
+  calibration.cam_from_table = cam_from_table;
+  view_.showCalibration(calibration);
+  view_.fit();
+  const int before = find(seen(), kCamera).pixels;
+  view_.fitRig();
+  EXPECT_GT(find(seen(), kCamera).pixels, before + 20);
+}
+
+TEST_F(SceneViewTest, ShowsATargetAndTakesItAway) {
+  Target target;
+  target.markers = {{0,
+                     {Eigen::Vector3d(-30, -30, 5), Eigen::Vector3d(-30, 30, 5),
+                      Eigen::Vector3d(30, 30, 5), Eigen::Vector3d(30, -30, 5)}}};
+  target.corners = {{0, {0.0, 0.0, 40.0}}};
+  const QImage before = seen();
+  view_.showTarget(target, {});
+  EXPECT_NE(seen(), before);
+  view_.hideTarget();
+  EXPECT_EQ(seen(), before);
+}
+
 }  // namespace
 }  // namespace gyre
