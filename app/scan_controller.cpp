@@ -6,11 +6,9 @@
 #include <utility>
 
 #include "app/pause_gate.h"
+#include "app/scan_outcome.h"
 #include "core/base/address.h"
 #include "core/io/calibration_file.h"
-#include "core/io/obj.h"
-#include "core/io/ply.h"
-#include "core/mesh/alpha_shape.h"
 #include "core/mesh/mesh_health.h"
 #include "core/sim/rig.h"
 
@@ -27,14 +25,6 @@ struct ScanController::Live {
     std::optional<double> median_sigma_mm;
   };
   Latest<Update> newest;
-};
-
-struct ScanController::Outcome {
-  PointCloudPtr cloud;
-  MeshPtr mesh;
-  MeshHealth health;
-  std::optional<Error> problem;  // shown beside what there is
-  std::filesystem::path folder;
 };
 
 ScanController::ScanController(RigOptions options, QObject* parent)
@@ -93,6 +83,12 @@ void ScanController::useCalibration(const std::filesystem::path& file) {
   }
   calibration_ = std::move(read).value();
   Q_EMIT calibrationKnown(*calibration_, QString::fromStdString(file.string()));
+}
+
+void ScanController::useMeasured(const Calibration& calibration, const CalibrationReport& report) {
+  calibration_ = calibration;
+  Q_EMIT calibrationKnown(calibration, tr("Measured in this session."));
+  Q_EMIT calibrationJudged(report);
 }
 
 void ScanController::takeEmptyTable() {
@@ -262,13 +258,6 @@ void ScanController::finished(const Result<void>& outcome, const std::shared_ptr
   showMesh(result);
 }
 
-void ScanController::showMesh(const std::shared_ptr<Outcome>& result) {
-  if (result->problem) Q_EMIT failed(*result->problem);
-  if (!result->mesh) return;
-  mesh_ = result->mesh;
-  Q_EMIT meshMade(mesh_, result->health);
-}
-
 void ScanController::pause() {
   if (phase_ != ScanPhase::kScanning) return;
   live_->gate.close();
@@ -287,101 +276,6 @@ void ScanController::stop() {
   if (isCapturing(phase_)) setPhase(ScanPhase::kStopping);
   devices_.requestStop();
   compute_jobs_.requestStop();
-}
-
-void ScanController::compute(JobRunner::Job job, JobRunner::Done done) {
-  const ScanPhase before = phase_;
-  setPhase(ScanPhase::kMeshing);
-  compute_jobs_.start(std::move(job),
-                      [this, before, done = std::move(done)](const Result<void>& outcome) {
-                        setPhase(before);
-                        if (!outcome && outcome.error().code != Error::Code::kCancelled) {
-                          Q_EMIT failed(outcome.error());
-                        }
-                        if (outcome) done(outcome);
-                      });
-}
-
-void ScanController::makeMesh(double gap_size_mm) {
-  if (isCapturing(phase_) || compute_jobs_.busy()) return;
-  if (!cloud_ || cloud_->points.empty()) {
-    refuse(tr("There are no points yet."), tr("Scan an object, or open a scan."));
-    return;
-  }
-  auto result = std::make_shared<Outcome>();
-  compute(
-      [cloud = cloud_, gap_size_mm, result](const Task& task) -> Result<void> {
-        AlphaShapeOptions options;
-        options.alpha_mm = gap_size_mm;
-        auto made = alphaShapeMesh(*cloud, options, task);
-        if (!made) return made.error();
-        result->health = meshHealth(made->mesh);
-        result->mesh = std::make_shared<const Mesh>(std::move(made->mesh));
-        return {};
-      },
-      [this, result](const Result<void>&) { showMesh(result); });
-}
-
-void ScanController::exportBy(std::function<Result<void>()> write,
-                              const std::filesystem::path& file) {
-  if (compute_jobs_.busy()) return;
-  compute_jobs_.start([write = std::move(write)](const Task&) { return write(); },
-                      [this, file](const Result<void>& outcome) {
-                        if (outcome) {
-                          Q_EMIT written(QString::fromStdString(file.string()));
-                        } else {
-                          Q_EMIT failed(outcome.error());
-                        }
-                      });
-}
-
-void ScanController::exportPoints(const std::filesystem::path& file) {
-  if (!cloud_) return;
-  exportBy([cloud = cloud_, file] { return writePly(file, *cloud); }, file);
-}
-
-void ScanController::exportMesh(const std::filesystem::path& file) {
-  if (!mesh_) return;
-  exportBy(
-      [mesh = mesh_, file] {
-        return file.extension() == ".obj" ? writeObj(file, *mesh) : writePly(file, *mesh);
-      },
-      file);
-}
-
-void ScanController::openModel(const std::filesystem::path& scan_or_file) {
-  if (isCapturing(phase_) || compute_jobs_.busy()) return;
-  auto opened = std::make_shared<OpenedModel>();
-  compute(
-      [scan_or_file, opened](const Task& task) -> Result<void> {
-        auto read = openScanOrModel(scan_or_file, task);
-        if (!read) return read.error();
-        *opened = std::move(read).value();
-        return {};
-      },
-      [this, opened](const Result<void>&) {
-        folder_ = opened->scan_folder;
-        cloud_ = opened->cloud;
-        mesh_ = opened->mesh;
-        if (opened->calibration) {
-          calibration_ = opened->calibration;
-          Q_EMIT calibrationKnown(*calibration_, tr("From the opened scan."));
-        }
-        facts_ = {};
-        facts_.views = opened->views;
-        facts_.views_done = opened->views_done;
-        facts_.points = cloud_ ? cloud_->points.size() : 0;
-        if (cloud_) facts_.median_sigma_mm = medianSigmaMm(*cloud_);
-        Q_EMIT factsChanged(facts_);
-        Q_EMIT cloudGrew(cloud_);
-        if (mesh_) Q_EMIT meshMade(mesh_, opened->health);
-        if (opened->views_done < opened->views) {
-          Q_EMIT noticed(tr("This scan was interrupted after %1 of %2 views.")
-                             .arg(opened->views_done)
-                             .arg(opened->views),
-                         tr("Connect the same turntable and camera; step 4 can go on with it."));
-        }
-      });
 }
 
 void ScanController::shutDown() {

@@ -14,6 +14,7 @@
 #include "app/latest.h"
 #include "app/scan_session.h"
 #include "core/scan/calibration.h"
+#include "core/scan/calibration_report.h"
 #include "core/scan/mesh.h"
 #include "core/scan/mesh_health.h"
 #include "core/scan/point_cloud.h"
@@ -49,6 +50,7 @@ class ScanController final : public QObject {
 
  public Q_SLOTS:
   void useCalibration(const std::filesystem::path& file);
+  void useMeasured(const gyre::Calibration& calibration, const gyre::CalibrationReport& report);
   void takeEmptyTable();
   void startScan(const gyre::ScanRequest& request);
   void resumeScan();  // captures what the last scan, or an opened one, does not hold yet
@@ -65,6 +67,7 @@ class ScanController final : public QObject {
  Q_SIGNALS:
   void phaseChanged(gyre::ScanPhase phase);
   void calibrationKnown(const gyre::Calibration& calibration, const QString& source);
+  void calibrationJudged(const gyre::CalibrationReport& report);  // follows calibrationKnown()
   void emptyTableTaken();
   void tracked(const gyre::TrackedFramePtr& frame);
   void cloudGrew(const gyre::PointCloudPtr& cloud);

@@ -12,6 +12,7 @@
 #include "ui/banner.h"
 #include "ui/calibration_panel.h"
 #include "ui/camera_view.h"
+#include "ui/chime.h"
 #include "ui/device_panel.h"
 #include "ui/export_panel.h"
 #include "ui/job_bar.h"
@@ -173,6 +174,8 @@ void Workbench::wireFacts() {
   connect(&controller_, &ScanController::phaseChanged, this, [this](ScanPhase phase) {
     window_.showPhase(phase);
     window_.log_panel->addLine(phaseText(phase));
+    if (phase == ScanPhase::kPaused) sound(Chime::kPaused);
+    if (phase == ScanPhase::kDone) sound(Chime::kDone);
     showSteps();
   });
   connect(&controller_, &ScanController::tracked, this, [page](const TrackedFramePtr& tracked) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/exposure.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include <opencv2/core.hpp>
+
+#include "core/base/check.h"
+
+namespace gyre {
+namespace {
+
+// A little short of the limits: sensors and codecs seldom reach 255 and 0 exactly.
+constexpr std::uint8_t kWhite = 252;
+constexpr std::uint8_t kBlack = 6;
+
+}  // namespace
+
+Exposure exposureOf(const cv::Mat& image_bgr) {
+  GYRE_CHECK(image_bgr.type() == CV_8UC3 && !image_bgr.empty());
+  std::size_t white = 0;
+  std::size_t black = 0;
+  for (int row = 0; row < image_bgr.rows; ++row) {
+    const auto* pixels = image_bgr.ptr<cv::Vec3b>(row);
+    for (int column = 0; column < image_bgr.cols; ++column) {
+      const cv::Vec3b& bgr = pixels[column];
+      const std::uint8_t brightest = std::max({bgr[0], bgr[1], bgr[2]});
+      if (brightest >= kWhite) ++white;
+      if (brightest <= kBlack) ++black;
+    }
+  }
+  const auto all = static_cast<double>(image_bgr.total());
+  return {static_cast<double>(white) / all, static_cast<double>(black) / all};
+}
+
+}  // namespace gyre

@@ -1,0 +1,18 @@
+// How much of a picture holds no detail because it is white or black.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/frame.h"
+
+namespace gyre {
+
+// Shares of all pixels, in [0, 1].
+struct Exposure {
+  double too_bright = 0.0;  // the brightest channel is at its limit
+  double too_dark = 0.0;    // all channels are near zero
+};
+
+// Any thread.
+Exposure exposureOf(const cv::Mat& image_bgr);
+
+}  // namespace gyre

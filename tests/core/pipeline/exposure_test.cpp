@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/exposure.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+
+namespace gyre {
+namespace {
+
+TEST(Exposure, CountsWhatHoldsNoDetail) {
+  cv::Mat image(100, 200, CV_8UC3, cv::Scalar(120, 130, 140));
+  image(cv::Rect(0, 0, 50, 100)).setTo(cv::Scalar(20, 30, 255));  // one channel is full
+  image(cv::Rect(180, 0, 20, 100)).setTo(cv::Scalar(2, 3, 4));
+  const Exposure exposure = exposureOf(image);
+  EXPECT_DOUBLE_EQ(exposure.too_bright, 0.25);
+  EXPECT_DOUBLE_EQ(exposure.too_dark, 0.1);
+}
+
+TEST(Exposure, FindsNothingWrongWithAGoodPicture) {
+  const cv::Mat image(40, 60, CV_8UC3, cv::Scalar(0, 0, 100));  // pure red, not black
+  EXPECT_EQ(exposureOf(image).too_bright, 0.0);
+  EXPECT_EQ(exposureOf(image).too_dark, 0.0);
+}
+
+TEST(Exposure, TakesAPictureThatIsAllWhite) {
+  EXPECT_EQ(exposureOf(cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(255))).too_bright, 1.0);
+}
+
+}  // namespace
+}  // namespace gyre
