@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t kLeastPoints = 6;
 constexpr int kOutlierRounds = 3;
 constexpr double kCauchy_sigma = 3.0;
+constexpr double kSure_sigma = 5.0;
 constexpr double kMostFocalSigma = 0.01;  // of the focal length
 // Exact sightings have no spread: nothing this near is an outlier.
 constexpr double kLeastSpread_px = 0.02;
@@ -189,7 +190,7 @@ bool markUsed(const std::vector<Candidate>& candidates, const RefinedCamera& fit
 
 // Two robust fits, the first of focal length and k1 alone, which no poor start can mislead.
 Result<RefinedCamera> fitRobustly(const CameraModel& start, const std::vector<CameraView>& views,
-                                  const HandHeldOptions& options, const Task& task) {
+                                  RefineOptions all, const Task& task) {
   RefineOptions few;
   few.free_aspect = few.free_principal = few.free_k2 = false;
   few.cauchy_sigma = kCauchy_sigma;
@@ -199,9 +200,13 @@ Result<RefinedCamera> fitRobustly(const CameraModel& start, const std::vector<Ca
   for (std::size_t v = 0; v < views.size(); ++v) {
     closer[v].cam_from_target = first->cam_from_target[v];
   }
-  RefineOptions all = options.refine;
   all.cauchy_sigma = kCauchy_sigma;
   return refineCamera(first->camera, closer, all, task);
+}
+
+// Whether a parameter is so far from zero that noise does not explain it.
+bool isSure(const RefinedCamera& fit, CameraParameter parameter, double value) {
+  return std::abs(value) > kSure_sigma * std::sqrt(fit.covariance(parameter, parameter));
 }
 
 HandHeldCalibration resultOf(const std::vector<Candidate>& candidates, const RefinedCamera& fit,
@@ -242,13 +247,22 @@ Result<HandHeldCalibration> calibrate(std::vector<Candidate> candidates,
     used.emplace_back(candidate.points.size(), 1);
   }
   task.report(0.1, "Finding the camera");
-  auto fit = fitRobustly(start, all_points, options, task.part(0.1, 0.5));
+  RefineOptions plain = options.refine;
+  plain.cauchy_sigma = 0.0;
+  auto fit = fitRobustly(start, all_points, plain, task);
   if (!fit) return fit.error();
+  if (!plain.free_k3) {
+    RefineOptions more = plain;
+    more.free_k3 = true;
+    auto wider = fitRobustly(start, all_points, more, task);
+    if (wider && isSure(*wider, kK3, wider->camera.k3)) {
+      fit = std::move(wider);
+      plain = more;
+    }
+  }
   for (int round = 0; round < kOutlierRounds; ++round) {
     const bool changed = markUsed(candidates, *fit, options.outlier_sigma, used);
     if (!changed && round > 0) break;
-    RefineOptions plain = options.refine;
-    plain.cauchy_sigma = 0.0;
     fit = refineCamera(fit->camera, usedViews(candidates, used, fit->cam_from_target), plain, task);
     if (!fit) return fit.error();
     task.report(0.6 + 0.1 * round, "Finding the camera");

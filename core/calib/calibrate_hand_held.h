@@ -19,7 +19,8 @@
 namespace gyre {
 
 struct HandHeldOptions {
-  // Free p1, p2 suit cheap lenses; free k3 only wide angles. The Cauchy scale is chosen here.
+  // p1 and p2 suit cheap lenses. A held k3 is freed when the views show for certain that the lens
+  // needs it, as wide angles do. The Cauchy scale is chosen here.
   RefineOptions refine = {.free_tangential = true};
   // A sighting further off than this many robust standard deviations of all is left out. [sigma],
   // 3 .. 100

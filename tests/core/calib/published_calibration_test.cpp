@@ -66,9 +66,9 @@ TEST_F(PublishedCalibration, ReachesTheReferenceOnItsOwnPoints) {
   const CameraModel& camera = found->calibration.camera;
   EXPECT_NEAR(camera.fy * kElement_mm, 69.975, 0.25);
   EXPECT_NEAR(camera.fx / camera.fy, 1.0002, 0.0002);
-  // Its kappa1 is per mm^2 on the sensor.
-  EXPECT_NEAR(kappa1FromBrown(camera, 0.1) / std::pow(camera.fy * kElement_mm, 2.0), -6.067e-4,
-              0.05e-4);
+  // Its kappa1 is per mm^2 on the sensor, where the points reach 0.06 focal lengths off the middle.
+  EXPECT_NEAR(kappa1FromBrown(camera, 0.06) / std::pow(camera.fy * kElement_mm, 2.0), -6.067e-4,
+              0.1e-4);
   const Rigid3& cam_from_table = *found->calibration.cam_from_table;
   EXPECT_NEAR(cam_from_table.translation.x(), -100.27, 0.5);
   EXPECT_NEAR(cam_from_table.translation.y(), -85.32, 0.5);
@@ -153,6 +153,13 @@ TEST_F(PublishedCalibration, CalibratesTheChessboardAsOpenCvDoes) {
   }
   const auto found = calibrateHandHeld(chessboard(), views, size_px);
   ASSERT_TRUE(found) << found.error().sentence();
+  double squares = 0.0;
+  for (const CalibrationResidual& residual : found->report.residuals) {
+    squares += residual.residual_px.squaredNorm();
+  }
+  const double rms_of_all_px =
+      std::sqrt(squares / static_cast<double>(found->report.residuals.size()));
+  RecordProperty("rms_of_all_px", std::to_string(rms_of_all_px));
   RecordProperty("rms_px", std::to_string(found->report.rms_px));
   RecordProperty("fx", std::to_string(found->calibration.camera.fx));
   RecordProperty("fy", std::to_string(found->calibration.camera.fy));
@@ -162,14 +169,15 @@ TEST_F(PublishedCalibration, CalibratesTheChessboardAsOpenCvDoes) {
   RecordProperty("views", std::to_string(found->report.views));
   RecordProperty("outliers", std::to_string(found->report.outliers));
   RecordProperty("missing", std::to_string(missing));
-  EXPECT_LE(found->report.rms_px, 0.08);
+  // Not only of those that were used.
+  EXPECT_LE(rms_of_all_px, 0.08);
   EXPECT_NEAR(found->calibration.camera.fx, 442.5, 0.5);
   EXPECT_NEAR(found->calibration.camera.fy, 442.5, 0.5);
   EXPECT_NEAR(found->calibration.camera.cx, 364.6, 1.0);
   EXPECT_NEAR(found->calibration.camera.cy, 248.6, 1.0);
   // The detector misses none but at the rim, and few corners are left out.
   EXPECT_LT(missing, 20U);
-  EXPECT_LT(found->report.outliers, 35U);
+  EXPECT_LT(found->report.outliers, 45U);
 }
 
 }  // namespace
