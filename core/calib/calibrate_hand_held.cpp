@@ -188,6 +188,25 @@ bool markUsed(const std::vector<Candidate>& candidates, const RefinedCamera& fit
   return changed;
 }
 
+// A view of which less than half fits was matched wrongly as a whole, or shows too little.
+void dropPoorViews(std::vector<Candidate>& candidates, RefinedCamera& fit, UsedMask& used) {
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    const auto fitting =
+        static_cast<std::size_t>(std::count(used[c].begin(), used[c].end(), char{1}));
+    if (fitting < kLeastPoints || 2 * fitting < used[c].size()) continue;
+    if (kept != c) {
+      candidates[kept] = std::move(candidates[c]);
+      fit.cam_from_target[kept] = fit.cam_from_target[c];
+      used[kept] = std::move(used[c]);
+    }
+    ++kept;
+  }
+  candidates.resize(kept);
+  fit.cam_from_target.resize(kept);
+  used.resize(kept);
+}
+
 // Two robust fits, the first of focal length and k1 alone, which no poor start can mislead.
 Result<RefinedCamera> fitRobustly(const CameraModel& start, const std::vector<CameraView>& views,
                                   RefineOptions all, const Task& task) {
@@ -229,9 +248,9 @@ HandHeldCalibration resultOf(const std::vector<Candidate>& candidates, const Ref
   reportSigmas(fit.covariance, result.report);
   const std::size_t left_out = views.size() - candidates.size();
   if (left_out > 0) {
-    result.report.remarks.push_back(std::to_string(left_out) +
-                                    (left_out == 1 ? " picture was" : " pictures were") +
-                                    " left out: too little of the target is in view.");
+    result.report.remarks.push_back(
+        std::to_string(left_out) + (left_out == 1 ? " picture was" : " pictures were") +
+        " left out: too little of the target is seen, or it does not fit.");
   }
   return result;
 }
@@ -263,6 +282,7 @@ Result<HandHeldCalibration> calibrate(std::vector<Candidate> candidates,
   for (int round = 0; round < kOutlierRounds; ++round) {
     const bool changed = markUsed(candidates, *fit, options.outlier_sigma, used);
     if (!changed && round > 0) break;
+    dropPoorViews(candidates, *fit, used);
     fit = refineCamera(fit->camera, usedViews(candidates, used, fit->cam_from_target), plain, task);
     if (!fit) return fit.error();
     task.report(0.6 + 0.1 * round, "Finding the camera");

@@ -29,7 +29,7 @@ struct HandHeldOptions {
 
 struct HandHeldCalibration {
   Calibration calibration;  // no cam_from_table: no table took part
-  // One a view; none where fewer than six points were seen.
+  // One a view; none where fewer than six points were seen, or less than half of them fit.
   std::vector<std::optional<Rigid3>> cam_from_target;
   CameraCovariance covariance = CameraCovariance::Zero();
   CalibrationReport report;  // of the fit and its sigmas; no verdict

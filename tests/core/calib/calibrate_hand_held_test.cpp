@@ -139,6 +139,19 @@ TEST(CalibrateHandHeld, PassesOverViewsThatShowTooLittle) {
   EXPECT_THAT(found->report.remarks[0], testing::StartsWith("2 pictures were left out"));
 }
 
+TEST(CalibrateHandHeld, PassesOverAViewThatWasMatchedWrongly) {
+  auto views = boardViews(0.1);
+  // Scrambled: no place of the board looks like that.
+  for (PointSighting& sighting : views[3].sightings) {
+    sighting.point = sighting.point * 7 % 54;
+  }
+  const auto found = calibrateHandHeld(board(), views, kSize_px);
+  ASSERT_TRUE(found) << found.error().sentence();
+  EXPECT_EQ(found->report.views, 6U);
+  EXPECT_FALSE(found->cam_from_target[3]);
+  EXPECT_NEAR(found->calibration.camera.fx, 1101.0, 4.0 * found->report.focal_sigma_px);
+}
+
 TEST(CalibrateHandHeld, SaysWhyItFails) {
   const auto whyNot = [](const std::vector<TargetView>& views) {
     const auto found = calibrateHandHeld(board(), views, kSize_px);
