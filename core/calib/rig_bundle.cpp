@@ -17,6 +17,17 @@ constexpr int kCleanRounds = 3;
 constexpr double kLossOverScatter = 2.5;    // where sightings begin to lose weight
 constexpr double kRayleighMedian = 1.1774;  // median length of a 2-D residual of unit sigma
 
+constexpr int kLearningRounds = 12;
+constexpr double kSettled = 0.9;         // standard deviations that change less are learned
+constexpr double kLeastFold_rad = 1e-6;  // exact, for all that pictures show
+constexpr double kLeastFold_mm = 1e-4;
+
+// A range of a face's parameters that share a prior.
+struct FaceGroup {
+  int first;
+  int count;
+};
+
 // The robust standard deviation of a coordinate, in units of what was stated.
 double scatterOf(const RigScene& scene, const RigState& state) {
   const std::vector<Eigen::Vector2d> residuals = residualsOf(scene, state);
@@ -64,8 +75,7 @@ RigPriors priorsOf(const RigBundleOptions& options) {
   RigPriors priors;
   priors.angle_rad = options.angle_prior_rad;
   if (options.shape == TargetShape::kFreeFaces) {
-    priors.face_turn_rad = options.fold_sigma_rad;
-    priors.face_mm = options.fold_sigma_mm;
+    priors.folds = {options.fold_sigma_rad, options.fold_sigma_mm, options.fold_sigma_mm};
   }
   // The difference of two independent readings, or of what the printer does to two directions.
   const double share = options.caliper_sigma_mm ? *options.caliper_sigma_mm / options.ruler_mm
@@ -80,6 +90,50 @@ Result<void> solveRobustly(const RigScene& scene, const RigFreedom& freedom,
   for (int round = 0; round < kRobustRounds; ++round) {
     const double loss = kLossOverScatter * std::max(scatterOf(scene, state), 1e-3);
     if (auto solved = solveRig(scene, freedom, priors, state, loss, task); !solved) return solved;
+  }
+  return {};
+}
+
+// One MacKay step for the standard deviation of a group of face parameters: their squares over how
+// many of them the pictures, rather than the prior, decide.
+double learnedSigma(const RigState& state, const RigCovariance& covariance, FaceGroup group,
+                    double sigma) {
+  double squares = 0.0;
+  double decided = 0.0;
+  for (std::size_t face = 0; face + 1 < state.faces.size(); ++face) {
+    for (int i = group.first; i < group.first + group.count; ++i) {
+      const double variance = covariance.face_variances[face][i];
+      if (!(variance > 0.0)) continue;
+      squares += state.faces[face][i] * state.faces[face][i];
+      decided += std::max(0.0, 1.0 - variance / (sigma * sigma));
+    }
+  }
+  return decided > 0.0 ? std::sqrt(squares / decided) : sigma;
+}
+
+// How well the target was folded is learned from the target itself: priors as wide as folds may be
+// at worst would let the noise of the pictures bend a target that is exact.
+Result<void> learnFolds(const RigScene& scene, const RigFreedom& freedom, RigPriors& priors,
+                        RigState& state, const Task& task) {
+  if (!priors.folds) return {};
+  for (int round = 0; round < kLearningRounds; ++round) {
+    const RigCovariance covariance = covarianceOf(scene, freedom, priors, state);
+    if (covariance.names.empty()) return {};
+    FoldPriors& folds = *priors.folds;
+    const FoldPriors before = folds;
+    const auto learn = [&](FaceGroup group, double least, double& sigma) {
+      sigma = std::clamp(learnedSigma(state, covariance, group, sigma), least, sigma);
+    };
+    learn({0, 3}, kLeastFold_rad, folds.turn_rad);
+    learn({3, 3}, kLeastFold_mm, folds.shift_mm);
+    learn({6, 3}, kLeastFold_mm, folds.bow_mm);
+    if (auto solved = solveRig(scene, freedom, priors, state, std::nullopt, task); !solved) {
+      return solved;
+    }
+    const bool settled = folds.turn_rad > kSettled * before.turn_rad &&
+                         folds.shift_mm > kSettled * before.shift_mm &&
+                         folds.bow_mm > kSettled * before.bow_mm;
+    if (settled) break;
   }
   return {};
 }
@@ -118,7 +172,7 @@ Result<RigCalibration> calibrateRig(std::span<const TargetView> views, const Tar
   RigState state = std::move(*start);
   if (auto enough = checkArc(scene, state, options); !enough) return enough.error();
 
-  const RigPriors priors = priorsOf(options);
+  RigPriors priors = priorsOf(options);
   const RigFreedom freedom = fullFreedom(options, scene);
   task.report(0.2, "Fitting axis and angles");
   if (auto solved = solveRobustly(scene, firstFreedom(freedom, options), priors, state, task);
@@ -133,6 +187,9 @@ Result<RigCalibration> calibrateRig(std::span<const TargetView> views, const Tar
   if (auto fits = checkFits(scene, state, options, target.name); !fits) return fits.error();
   task.report(0.7, "Leaving out what does not fit");
   if (auto solved = solveCleanly(scene, freedom, priors, state, options, task); !solved) {
+    return solved.error();
+  }
+  if (auto solved = learnFolds(scene, freedom, priors, state, task); !solved) {
     return solved.error();
   }
   if (auto enough = checkArc(scene, state, options); !enough) return enough.error();

@@ -158,9 +158,11 @@ void addPriors(const RigScene& scene, const RigPriors& priors, const Layout& lay
     normal(scale, angle) -= weight * commanded;
   }
   for (const auto& face : layout.faces) {
-    for (std::size_t i = 0; i < kFaceSize; ++i) {
-      const auto& sigma = i < 3 ? priors.face_turn_rad : priors.face_mm;
-      if (face[i] >= 0 && sigma) normal(face[i], face[i]) += 1.0 / (*sigma * *sigma);
+    if (!priors.folds) break;
+    const auto sigmas = priors.folds->sigmas();
+    for (int i = 0; i < kFaceSize; ++i) {
+      const int column = face[static_cast<std::size_t>(i)];
+      if (column >= 0) normal(column, column) += 1.0 / (sigmas[i] * sigmas[i]);
     }
   }
   const int page = layout.page_stretch;
@@ -192,6 +194,13 @@ RigCovariance covarianceOf(const RigScene& scene, const RigFreedom& freedom,
                       eigen.eigenvalues().cwiseInverse().asDiagonal() *
                       eigen.eigenvectors().transpose() * scale.asDiagonal();
   covariance.names = layout.names;
+  for (const auto& face : layout.faces) {
+    covariance.face_variances.push_back(Eigen::Matrix<double, kFaceSize, 1>::Zero());
+    for (int i = 0; i < kFaceSize; ++i) {
+      const int column = face[static_cast<std::size_t>(i)];
+      if (column >= 0) covariance.face_variances.back()[i] = covariance.matrix(column, column);
+    }
+  }
   std::vector<int> rig(layout.camera.begin(), layout.camera.end());
   rig.insert(rig.end(), layout.axis.begin(), layout.axis.end());
   for (std::size_t i = 0; i < rig.size(); ++i) {

@@ -153,13 +153,6 @@ void holdFixed(ceres::Problem& problem, const RigFreedom& freedom, Blocks& block
   if (!freedom.step_scale) hold(problem, &state.step_scale, {0});
 }
 
-Eigen::Matrix<double, kFaceSize, 1> faceSigmas(const RigPriors& priors) {
-  Eigen::Matrix<double, kFaceSize, 1> sigmas;
-  sigmas.head<3>().setConstant(*priors.face_turn_rad);
-  sigmas.tail<6>().setConstant(*priors.face_mm);
-  return sigmas;
-}
-
 void addPriors(ceres::Problem& problem, const RigScene& scene, const RigPriors& priors,
                RigState& state) {
   for (std::size_t k = 1; k < scene.commanded_rad.size(); ++k) {
@@ -168,10 +161,11 @@ void addPriors(ceres::Problem& problem, const RigScene& scene, const RigPriors& 
     problem.AddResidualBlock(new AngleCost(*scene.commanded_rad[k], priors.angle_rad),
                              new ceres::CauchyLoss(3.0), &state.angles_rad[k], &state.step_scale);
   }
-  if (priors.face_turn_rad && priors.face_mm) {
+  if (priors.folds) {
     for (auto& face : state.faces) {
       if (!problem.HasParameterBlock(face.data())) continue;
-      problem.AddResidualBlock(new ZeroCost<kFaceSize>(faceSigmas(priors)), nullptr, face.data());
+      problem.AddResidualBlock(new ZeroCost<kFaceSize>(priors.folds->sigmas()), nullptr,
+                               face.data());
     }
   }
   if (problem.HasParameterBlock(&state.page_stretch)) {

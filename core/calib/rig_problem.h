@@ -60,11 +60,19 @@ struct RigFreedom {
   bool step_scale = true;
 };
 
-// What is believed beforehand, one standard deviation each; nothing where there is none.
+// How far the sheets of a folded target are off, one standard deviation.
+struct FoldPriors {
+  double turn_rad = 0.0;
+  double shift_mm = 0.0;
+  double bow_mm = 0.0;
+
+  Eigen::Matrix<double, kFaceSize, 1> sigmas() const;
+};
+
+// What is believed beforehand, one standard deviation each.
 struct RigPriors {
   double angle_rad = 0.02;
-  std::optional<double> face_turn_rad;
-  std::optional<double> face_mm;
+  std::optional<FoldPriors> folds;  // none: faces lie anywhere
   double page_stretch = 0.0025;
 };
 
@@ -80,6 +88,7 @@ struct RigCovariance {
   std::vector<std::string> names;
   Eigen::MatrixXd matrix;
   double variance_factor = 1.0;  // found over stated variance of the sightings
+  std::vector<Eigen::Matrix<double, kFaceSize, 1>> face_variances;  // zero where held
   // The part that a scan inherits: camera, then axis; zero where held.
   Eigen::Matrix<double, kCameraSize + kAxisSize, kCameraSize + kAxisSize> rig =
       Eigen::Matrix<double, kCameraSize + kAxisSize, kCameraSize + kAxisSize>::Zero();

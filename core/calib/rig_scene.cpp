@@ -38,6 +38,14 @@ RigScene sceneOf(std::span<const TargetView> views, const Target& target, Target
   return scene;
 }
 
+Eigen::Matrix<double, kFaceSize, 1> FoldPriors::sigmas() const {
+  Eigen::Matrix<double, kFaceSize, 1> sigmas;
+  sigmas.head<3>().setConstant(turn_rad);
+  sigmas.segment<3>(3).setConstant(shift_mm);
+  sigmas.tail<3>().setConstant(bow_mm);
+  return sigmas;
+}
+
 RigParameters RigState::at(std::size_t view, std::size_t face) const {
   RigParameters parameters;
   parameters.camera = cameraVector(frames.camera);
