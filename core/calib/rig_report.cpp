@@ -114,6 +114,29 @@ void reportSigmas(const RigCovariance& covariance, CalibrationReport& report) {
   report.axis_offset_sigma_mm = std::hypot(sigma(kCameraSize + 2), sigma(kCameraSize + 3));
 }
 
+// A picture that shows nothing of the target stands where its command puts it among its neighbours:
+// what the motor is off there is taken from those before and after it.
+void placeUnseen(const RigScene& scene, RigState& state) {
+  std::vector<bool> seen(state.angles_rad.size(), false);
+  for (const RigSighting& sighting : scene.sightings) {
+    if (sighting.used) seen[sighting.view] = true;
+  }
+  const auto off = [&](std::size_t k) {
+    if (!scene.commanded_rad[k]) return 0.0;
+    return state.angles_rad[k] - state.step_scale * *scene.commanded_rad[k];
+  };
+  for (std::size_t k = 1; k < seen.size(); ++k) {
+    if (seen[k] || !scene.commanded_rad[k]) continue;
+    const std::size_t before = k - 1;  // already placed
+    std::size_t after = k + 1;
+    while (after < seen.size() && !seen[after]) ++after;
+    const double share = after < seen.size() ? 1.0 / static_cast<double>(after - before) : 0.0;
+    const double off_rad =
+        share > 0.0 ? (1.0 - share) * off(before) + share * off(after) : off(before);
+    state.angles_rad[k] = state.step_scale * *scene.commanded_rad[k] + off_rad;
+  }
+}
+
 // How large the target is in the pictures: the median, over the views, of its longer side.
 double targetShare(const RigScene& scene, const RigBundleOptions& options, std::size_t views) {
   std::vector<Eigen::AlignedBox2d> boxes(views);
@@ -161,6 +184,7 @@ void settleFrames(const RigScene& scene, TargetShape shape, RigState& state) {
   old_from_new.translation.z() = platterHeight(scene, shape, state);
   frames.cam_from_base = frames.cam_from_base * old_from_new;
   frames.table_from_target = old_from_new.inverse() * frames.table_from_target;
+  placeUnseen(scene, state);
 }
 
 RigCalibration resultOf(std::span<const TargetView> views, const Target& target,

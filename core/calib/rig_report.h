@@ -11,7 +11,7 @@ namespace gyre {
 
 // Turns and shifts the table frame along its axis to where the house wants it: x towards the camera
 // at angle 0, z = 0 where the plane on which the target (or its loose markers) stands meets the
-// axis. Changes nothing that can be seen.
+// axis. Changes nothing that can be seen. Gives pictures that show nothing the likeliest angle.
 void settleFrames(const RigScene& scene, TargetShape shape, RigState& state);
 
 // A state whose frames are settled, with all that belongs to it.

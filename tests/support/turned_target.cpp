@@ -31,9 +31,9 @@ void addSheet(const Sheet& sheet, Target& target) {
     for (int column = 0; column < sheet.columns; ++column) {
       const int id = static_cast<int>(target.corners.size());
       target.corners.push_back(
-          {id, sheet.middle + sheet.spacing_mm * ((column - 0.5 * (sheet.columns - 1)) *
-                                                      sheet.right +
-                                                  (row - 0.5 * (sheet.rows - 1)) * sheet.down)});
+          {id,
+           sheet.middle + sheet.spacing_mm * ((column - 0.5 * (sheet.columns - 1)) * sheet.right +
+                                              (row - 0.5 * (sheet.rows - 1)) * sheet.down)});
       ids.push_back(id);
     }
   }
@@ -51,6 +51,15 @@ Target wedgeTarget() {
   const Eigen::Vector3d down(std::cos(slope_rad), 0.0, -std::sin(slope_rad));
   addSheet({{0.0, 0.0, 25.0}, right, down, 9, 7, 9.0}, target);
   addSheet({{-30.0, 0.0, 24.0}, -right, -Eigen::Vector3d::UnitZ(), 9, 4, 9.0}, target);
+  for (const double side : {-1.0, 1.0}) {
+    addSheet({{-18.0, 42.0 * side, 15.0},
+              -side * Eigen::Vector3d::UnitX(),
+              -Eigen::Vector3d::UnitZ(),
+              4,
+              3,
+              7.0},
+             target);
+  }
   return target;
 }
 
@@ -61,9 +70,9 @@ Target cubeTarget() {
   addSheet({60.0 * up, Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX(), 6, 6, 8.0}, target);
   for (int side = 0; side < 4; ++side) {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5 * kPi * side, up).toRotationMatrix();
-    addSheet({turn * Eigen::Vector3d(30.0, 0.0, 30.0), turn * Eigen::Vector3d::UnitY(), -up, 6, 6,
-              8.0},
-             target);
+    addSheet(
+        {turn * Eigen::Vector3d(30.0, 0.0, 30.0), turn * Eigen::Vector3d::UnitY(), -up, 6, 6, 8.0},
+        target);
   }
   return target;
 }
@@ -98,8 +107,7 @@ Target ringTarget(int markers, double radius_mm, double side_mm) {
 
 TurnedTarget::TurnedTarget(Target seen) : target(std::move(seen)) {
   for (const TargetPoint& point : pointsOf(target)) true_points.push_back(point.position_in_target);
-  table_from_target.rotation =
-      Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  table_from_target.rotation = Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   table_from_target.translation = {3.0, -2.0, 0.0};
   truth = trueCalibration(RigSettings{});
   setSteps(24, radFromDeg(15.0));

@@ -12,7 +12,8 @@
 
 namespace gyre::test {
 
-// Lattices of 9 x 7 corners, 9 mm apart, on a slope of 40 deg, and of 9 x 4 on its upright back.
+// Lattices of 9 x 7 corners, 9 mm apart, on a slope of 40 deg, of 9 x 4 on its upright back, and of
+// 4 x 3, 7 mm apart, on both sides.
 Target wedgeTarget();
 // A cube of 60 mm with 6 x 6 corners, 8 mm apart, on each face but the lower one.
 Target cubeTarget();

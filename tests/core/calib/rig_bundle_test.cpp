@@ -49,8 +49,10 @@ TEST(CalibrateRig, FindsAnExactRigExactly) {
   EXPECT_NEAR(camera.cy, turned.truth.camera.cy, 0.01);
   EXPECT_NEAR(camera.k1, -0.08, 1e-4);
   EXPECT_LT(tiltRad(found->calibration, turned.truth), 1e-5);
-  EXPECT_LT((found->calibration.cam_from_table->translation -
-             turned.truth.cam_from_table->translation).norm(), 0.01);
+  EXPECT_LT(
+      (found->calibration.cam_from_table->translation - turned.truth.cam_from_table->translation)
+          .norm(),
+      0.01);
   EXPECT_LT(anglesRms(found->report.angles_rad, turned.true_rad), 1e-6);
   EXPECT_LT(found->report.rms_px, 1e-4);
 }
