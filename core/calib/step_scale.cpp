@@ -13,6 +13,7 @@ namespace {
 constexpr double kGridPhase_rad = 0.2;    // by how much the last angle moves between candidates
 constexpr double kMostCandidates = 2e5;   // for commands over thousands of turns
 constexpr double kOutlier_rad = 0.5;      // an angle further off is as wrong as any
+constexpr double kAsTold = 0.05;          // a ratio this near to 1 does what it is told
 constexpr double kAsGood = 1.5;           // costs within this factor of the best, and
 constexpr double kAsGoodRms_rad = 0.005;  // within this of it, are as good
 
@@ -37,6 +38,13 @@ double costOf(const std::vector<Pair>& pairs, double scale) {
     sum += std::min(off_rad * off_rad, kOutlier_rad * kOutlier_rad);
   }
   return sum / static_cast<double>(pairs.size());
+}
+
+// Among ratios that explain the angles equally well: about 1 first, then the least motion, forwards
+// before backwards.
+double oddness(double scale) {
+  if (std::abs(scale - 1.0) < kAsTold) return 0.0;
+  return std::abs(scale) + (scale < 0.0 ? 1e-6 : 0.0);
 }
 
 // Narrows the interval around a candidate to its lowest point (golden section).
@@ -93,11 +101,7 @@ std::optional<double> stepScaleFrom(const std::vector<std::optional<double>>& co
   std::optional<double> found;
   for (const Candidate& minimum : minima) {
     if (minimum.cost > enough) continue;
-    // Forwards before backwards where both are equally far from 1.
-    const auto far = [](double scale) {
-      return std::abs(std::log(std::abs(scale))) + (scale < 0.0 ? 1e-6 : 0.0);
-    };
-    if (!found || far(minimum.scale) < far(*found)) found = minimum.scale;
+    if (!found || oddness(minimum.scale) < oddness(*found)) found = minimum.scale;
   }
   return found;
 }

@@ -13,7 +13,8 @@ inline constexpr double kMostStepScale = 50.0;
 
 // Turned over told, negative when the table turns clockwise for positive commands. Seen angles are
 // known up to whole turns; of the ratios that explain them equally well, which evenly spaced
-// commands always leave, the one nearest to 1 is taken. Robust to a few wrong angles.
+// commands always leave, one near 1 is taken, else the one with the least motion. Robust to a few
+// wrong angles.
 //
 // Nothing when fewer than two different commands have an angle.
 std::optional<double> stepScaleFrom(const std::vector<std::optional<double>>& commanded_rad,
