@@ -20,6 +20,7 @@ constexpr double kOutlier_sigma = 6.0;
 constexpr std::size_t kLeastLooks = 3;
 constexpr std::size_t kLeastPoints = 6;
 constexpr double kLeastArc_rad = radFromDeg(20.0);
+constexpr double kOtherTarget = 0.02;  // share of the picture's width by which others are off
 constexpr int kNewtonSteps = 10;
 constexpr int kAnglesTried = 360;
 
@@ -38,6 +39,8 @@ Result<RigState> placeTarget(const Calibration& calibration, std::span<const Tar
   options.image_height_px = calibration.camera.height_px;
   options.fixed_camera = calibration.camera;
   options.shape = TargetShape::kExact;
+  // A target of the wrong size, or a calibration that is off, is what shall be measured.
+  options.max_median_px = kOtherTarget * calibration.camera.width_px;
   if (auto valid = checkViews(views, target, options); !valid) return valid.error();
   scene = sceneOf(views, target, TargetShape::kExact);
   auto start = startOf(views, target, scene, options, task);

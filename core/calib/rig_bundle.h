@@ -16,6 +16,7 @@
 #include "core/geometry/camera_model.h"
 #include "core/geometry/rigid3.h"
 #include "core/scan/calibration.h"
+#include "core/scan/calibration_record.h"
 #include "core/scan/calibration_report.h"
 #include "core/scan/target.h"
 #include "core/scan/target_view.h"
@@ -103,5 +104,8 @@ struct RigCalibration {
 // The equations: docs/algorithms/rig-bundle.md.
 Result<RigCalibration> calibrateRig(std::span<const TargetView> views, const Target& target,
                                     const RigBundleOptions& options, const Task& task);
+
+// All of it as a calibration file holds it; date, devices and settings are the caller's to add.
+CalibrationRecord recordOf(const RigCalibration& calibration);
 
 }  // namespace gyre

@@ -225,4 +225,14 @@ RigCalibration resultOf(std::span<const TargetView> views, const Target& target,
   return result;
 }
 
+CalibrationRecord recordOf(const RigCalibration& calibration) {
+  CalibrationRecord record;
+  record.calibration = calibration.calibration;
+  record.target = calibration.target.name;
+  record.report = calibration.report;
+  record.covariance = NamedCovariance{calibration.parameter_names, calibration.covariance};
+  record.table_from_target = calibration.table_from_target;
+  return record;
+}
+
 }  // namespace gyre

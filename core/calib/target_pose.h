@@ -23,7 +23,7 @@ struct TargetPose {
 };
 
 // The pose that explains the points best; points that fit far worse than most lose their say.
-// Coplanar points will do. Nothing with fewer than 4 points, or when all lie on a line.
+// Coplanar points will do, points on a line leave a turn open. Nothing with fewer than 4 points.
 std::optional<TargetPose> targetPose(const CameraModel& camera,
                                      const std::vector<KnownPoint>& points);
 

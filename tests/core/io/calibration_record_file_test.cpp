@@ -107,6 +107,16 @@ TEST(CalibrationRecord, PassesOverWhatOthersWriteUnderTheSameNames) {
   EXPECT_FALSE(back->table_from_target);
 }
 
+TEST(CalibrationRecord, SurvivesDamage) {
+  const std::string text = calibrationRecordText(fullRecord());
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    const auto record = parseCalibrationRecord(mutated(text, seed), "f");
+    if (!record) {
+      EXPECT_FALSE(record.error().what.empty());
+    }
+  }
+}
+
 TEST(CalibrationRecord, LeavesOutResidualsThatAreNoNumbersAndRefusesOtherSuch) {
   const TempDir dir;
   CalibrationRecord record = fullRecord();
