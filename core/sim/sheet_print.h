@@ -1,5 +1,5 @@
-// What is printed on one plane sheet of paper: squares, codes and dots, and how near their edges
-// are. SPDX-License-Identifier: GPL-3.0-or-later
+// What is printed on one plane sheet of paper, and how near the edges of the print are.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstdint>

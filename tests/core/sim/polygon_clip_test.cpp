@@ -2,6 +2,7 @@
 #include "core/sim/polygon_clip.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "core/sim/convex_body.h"
 
