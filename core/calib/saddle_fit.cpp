@@ -10,12 +10,14 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/check.h"
+#include "core/base/units.h"
 #include "core/calib/corner_ring.h"
 #include "core/calib/picture_noise.h"
 
 namespace gyre {
 namespace {
 
+constexpr int kBlurReach_px = 3;  // three scales of the Gaussian
 constexpr int kMostSteps = 10;
 constexpr double kStays_px = 0.002;
 // What remains without noise, from the pixel grid and from neighbours that reach into the disc.
@@ -26,27 +28,26 @@ constexpr double kLeastRing_px = 3.0;
 // How the coefficients of  I ~ a x^2 + b x y + c y^2 + d x + e y + g  follow from the samples of a
 // disc: constant for a disc centred on the estimate, so computed once a radius.
 struct DiscFit {
-  std::vector<Eigen::Vector2d> offsets;
+  std::vector<Eigen::Vector2i> offsets;
   Eigen::Matrix<double, 5, Eigen::Dynamic> coefficients_from_samples;  // a b c d e
   double slope_noise = 0.0;  // standard deviation of d and of e for noise 1 before the blur
 };
 
 // Standard deviation of sum(weight * blurred white noise) over the samples.
-double noiseThroughBlur(const std::vector<Eigen::Vector2d>& offsets, const Eigen::VectorXd& weights,
+double noiseThroughBlur(const std::vector<Eigen::Vector2i>& offsets, const Eigen::VectorXd& weights,
                         int radius_px) {
-  constexpr int kReach = 4;  // of a Gaussian of scale 1
-  const int half = radius_px + 1 + kReach;
+  const int half = radius_px + 1 + kBlurReach_px;
   const int side = 2 * half + 1;
   Eigen::MatrixXd share = Eigen::MatrixXd::Zero(side, side);
   for (std::size_t i = 0; i < offsets.size(); ++i) {
-    const int x = static_cast<int>(offsets[i].x()) + half;
-    const int y = static_cast<int>(offsets[i].y()) + half;
-    for (int dy = -kReach; dy <= kReach; ++dy) {
-      for (int dx = -kReach; dx <= kReach; ++dx) {
+    const int x = offsets[i].x() + half;
+    const int y = offsets[i].y() + half;
+    for (int dy = -kBlurReach_px; dy <= kBlurReach_px; ++dy) {
+      for (int dx = -kBlurReach_px; dx <= kBlurReach_px; ++dx) {
         if (x + dx < 0 || y + dy < 0 || x + dx >= side || y + dy >= side) continue;
         const double blur =
             std::exp(-0.5 * (dx * dx + dy * dy) / (kSaddleBlur_px * kSaddleBlur_px)) /
-            (6.283185307179586 * kSaddleBlur_px * kSaddleBlur_px);
+            (kTurn_rad * kSaddleBlur_px * kSaddleBlur_px);
         share(y + dy, x + dx) += weights(static_cast<Eigen::Index>(i)) * blur;
       }
     }
@@ -105,10 +106,22 @@ struct Quadric {
 
 Quadric quadricAround(const cv::Mat& blurred, const Eigen::Vector2d& centre_px,
                       const DiscFit& disc) {
+  // All samples lie between the pixels in the same way.
+  const int column = static_cast<int>(std::floor(centre_px.x()));
+  const int row = static_cast<int>(std::floor(centre_px.y()));
+  const auto x = static_cast<float>(centre_px.x() - column);
+  const auto y = static_cast<float>(centre_px.y() - row);
+  const float k00 = (1.0F - x) * (1.0F - y);
+  const float k10 = x * (1.0F - y);
+  const float k01 = (1.0F - x) * y;
+  const float k11 = x * y;
   Eigen::Matrix<double, 5, 1> k = Eigen::Matrix<double, 5, 1>::Zero();
   for (std::size_t i = 0; i < disc.offsets.size(); ++i) {
-    k += disc.coefficients_from_samples.col(static_cast<Eigen::Index>(i)) *
-         brightnessAt(blurred, centre_px + disc.offsets[i]);
+    const Eigen::Vector2i& offset = disc.offsets[i];
+    const float* above = blurred.ptr<float>(row + offset.y()) + column + offset.x();
+    const float* below = blurred.ptr<float>(row + offset.y() + 1) + column + offset.x();
+    const float sample = k00 * above[0] + k10 * above[1] + k01 * below[0] + k11 * below[1];
+    k += disc.coefficients_from_samples.col(static_cast<Eigen::Index>(i)) * sample;
   }
   Quadric quadric;
   quadric.hessian << 2.0 * k[0], k[1], k[1], 2.0 * k[2];
@@ -123,7 +136,9 @@ cv::Mat blurredForSaddles(const cv::Mat& grey) {
   cv::Mat blurred;
   if (grey.empty()) return blurred;
   grey.convertTo(blurred, CV_32F);
-  cv::GaussianBlur(blurred, blurred, {0, 0}, kSaddleBlur_px, kSaddleBlur_px, cv::BORDER_REPLICATE);
+  constexpr int kSide_px = 2 * kBlurReach_px + 1;
+  cv::GaussianBlur(blurred, blurred, {kSide_px, kSide_px}, kSaddleBlur_px, kSaddleBlur_px,
+                   cv::BORDER_REPLICATE);
   return blurred;
 }
 

@@ -35,8 +35,9 @@ inline constexpr int kMostSaddleRadius_px = 6;
 cv::Mat blurredForSaddles(const cv::Mat& grey);
 
 // Fits a quadric to the disc of this radius and takes its stationary point, again about the point
-// found until it stays. blurred: from blurredForSaddles(). noise_grey: standard deviation of the
-// noise of the picture before the blur, from which sigma_px follows.
+// found until it stays; found from anywhere within half the radius. blurred: from
+// blurredForSaddles(). noise_grey: standard deviation of the noise of the picture before the blur,
+// from which sigma_px follows.
 //
 // Returns nothing when the disc leaves the picture, when the brightness has no saddle there, when
 // bright and dark do not alternate four times around it, or when the saddle is further than the
