@@ -26,7 +26,7 @@ struct TargetScene {
   std::uint64_t seed = 1;        // of the noise
 };
 
-// CV_8UC3. Corners and codes are drawn as the target says, by 4 x 4 samples a pixel; faces hide
+// CV_8UC3. Corners and codes are drawn as the target says, by 16 samples a pixel; faces hide
 // what is behind them. The squares of a board reach one beyond its outer corners.
 cv::Mat renderTarget(const Target& target, const CameraModel& camera, const Rigid3& cam_from_target,
                      const TargetScene& scene = {});
