@@ -5,17 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "core/geometry/camera_model.h"
 #include "core/geometry/rigid3.h"
+#include "core/scan/known_point.h"
 
 namespace gyre {
-
-struct KnownPoint {
-  Eigen::Vector3d position_in_target = Eigen::Vector3d::Zero();  // mm
-  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();               // raw
-};
 
 struct TargetPose {
   Rigid3 cam_from_target;
