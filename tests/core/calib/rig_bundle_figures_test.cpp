@@ -10,6 +10,7 @@
 
 #include "core/calib/object_error.h"
 #include "core/calib/rig_bundle.h"
+#include "core/calib/standard_targets.h"
 #include "core/geometry/turntable_pose.h"
 #include "core/sim/rig.h"
 #include "tests/support/turned_target.h"
@@ -22,6 +23,11 @@ constexpr double kWorstSeed = 2.5;  // no seed may exceed a limit by more
 constexpr double kFocal = 0.0005;
 constexpr double kPrincipal_px = 1.0;
 constexpr double kTilt_rad = radFromDeg(0.02);
+
+// The ones people print.
+std::vector<Target> printedTargets() {
+  return {standardTarget("wedge").value().target, standardTarget("coded-cube").value().target};
+}
 
 // Where a point comes out when its exact pixels are intersected with another calibration.
 Eigen::Vector3d scannedWith(const Calibration& found, const Calibration& truth,
@@ -128,7 +134,7 @@ void judgeFigures(const char* name, Figures& figures) {
 }
 
 TEST(RigBundleFigures, HoldOnWedgeAndCube) {
-  for (const Target& target : {test::wedgeTarget(), test::cubeTarget()}) {
+  for (const Target& target : printedTargets()) {
     Figures figures;
     for (int seed = 1; seed <= kSeeds; ++seed) {
       addSeed(test::TurnedTarget(target), static_cast<std::uint64_t>(seed), figures);
@@ -138,7 +144,7 @@ TEST(RigBundleFigures, HoldOnWedgeAndCube) {
 }
 
 TEST(RigBundleFigures, HoldWithAPoorMotor) {
-  for (const Target& target : {test::wedgeTarget(), test::cubeTarget()}) {
+  for (const Target& target : printedTargets()) {
     Figures figures;
     for (int seed = 1; seed <= kSeeds; ++seed) {
       test::TurnedTarget turned(target);
