@@ -77,6 +77,9 @@ Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
   auto results = writeScanResults(*store, *reconstruction, task.part(0.9, 1.0));
   if (!results) return results.error();
   std::optional<Error> problem = results->mesh_problem;
+  if (!problem && reconstruction->drift.firstMoved() != nullptr) {
+    problem = Error{Error::Code::kRejected, reconstruction->drift.sentence, ""};
+  }
   const auto enough = enoughPoints(reconstruction->cloud, store->views().size());
   if (!enough) problem = enough.error();
   return ScanSessionResult{std::move(reconstruction).value(), std::move(results).value(), problem};

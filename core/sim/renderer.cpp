@@ -74,11 +74,15 @@ std::vector<std::uint8_t> sweptPixels(const Mesh& mesh, const Stage& stage, std:
 
 }  // namespace
 
-Renderer::Renderer(const RigSettings& rig)
+Renderer::Renderer(const RigSettings& rig) : Renderer(rig, trueCalibration(rig)) {
+  if (rig.bump_px != 0.0) bumped_.reset(new Renderer(rig, bumpedCalibration(rig)));
+}
+
+Renderer::Renderer(const RigSettings& rig, const Calibration& calibration)
     : rig_(rig),
       object_(rig),
       scene_(object_.mesh()),
-      stage_(rig),
+      stage_(rig, calibration),
       sensor_(rig.blur_sigma_px, rig.noise_sigma),
       light_in_base_(keyLightInBase(rig)),
       is_smooth_(smoothTriangles(object_.mesh())),
@@ -263,6 +267,7 @@ void Renderer::paintObjectRow(int y, const View& view, const std::vector<Surfel>
 }
 
 Frame Renderer::render(std::int64_t steps, TableLoad load) const {
+  if (bumped_ && isBumped(rig_, steps)) return bumped_->render(steps, load);
   const auto seed = static_cast<std::uint64_t>(rig_.seed);
   const auto step_word = static_cast<std::uint64_t>(steps);
   Random flicker(hashWords({seed, kFlickerUse, step_word, word(load)}));
@@ -291,6 +296,7 @@ Frame Renderer::render(std::int64_t steps, TableLoad load) const {
 }
 
 std::vector<TruePixel> Renderer::truePixels(std::int64_t steps, TableLoad load) const {
+  if (bumped_ && isBumped(rig_, steps)) return bumped_->truePixels(steps, load);
   const View view = viewAt(steps);
   const auto width = static_cast<std::size_t>(rig_.image_width_px);
   const auto rows = static_cast<std::size_t>(rig_.image_height_px);

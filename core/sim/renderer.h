@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -54,6 +55,7 @@ class Renderer {
   };
   struct View;
 
+  Renderer(const RigSettings& rig, const Calibration& calibration);
   View viewAt(std::int64_t steps) const;
   void traceRow(int y, const View& view, Surfel* row) const;
   Surfel surfelOf(const RayHit& hit, const Eigen::Vector3f& direction, const View& view) const;
@@ -71,6 +73,7 @@ class Renderer {
   Eigen::Vector3d light_in_base_;
   std::vector<std::uint8_t> is_smooth_;       // per triangle: shade with interpolated normals
   std::vector<std::uint8_t> may_see_object_;  // per pixel, at any angle
+  std::unique_ptr<const Renderer> bumped_;    // the same rig after a knock; null without one
 };
 
 }  // namespace gyre

@@ -85,6 +85,23 @@ Calibration trueCalibration(const RigSettings& rig) {
   return calibration;
 }
 
+Calibration bumpedCalibration(const RigSettings& rig) {
+  Calibration calibration = trueCalibration(rig);
+  // A camera that turns to its left by an angle sees everything f * angle further right.
+  const double pan_rad = rig.bump_px / rig.focal_px;
+  const Eigen::Matrix3d bumped_from_cam =
+      Eigen::AngleAxisd(pan_rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  calibration.cam_from_table->rotation = bumped_from_cam * calibration.cam_from_table->rotation;
+  calibration.cam_from_table->translation =
+      bumped_from_cam * calibration.cam_from_table->translation;
+  return calibration;
+}
+
+bool isBumped(const RigSettings& rig, std::int64_t steps) {
+  return rig.bump_px != 0.0 &&
+         360.0 * static_cast<double>(steps) >= rig.bump_at_deg * rig.steps_per_turn;
+}
+
 double trueAngleRad(const RigSettings& rig, std::int64_t steps) {
   const double nominal_rad =
       kTurn_rad * static_cast<double>(steps) / static_cast<double>(rig.steps_per_turn);

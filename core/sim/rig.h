@@ -43,6 +43,9 @@ struct RigSettings {
   double noise_sigma = 2.0;  // grey levels of 255, in each channel
   double blur_sigma_px = 0.8;
 
+  double bump_px = 0.0;        // somebody knocks the camera aside: the picture moves by so much
+  double bump_at_deg = 180.0;  // from where on the table, as commanded, it stays knocked aside
+
   int steps_per_turn = 3200;
   double step_scale_error = 0.0;  // relative: 0.001 turns 360.36 deg for 360
   double white_error_deg = 0.02;
@@ -61,6 +64,10 @@ RigSettings atImageWidth(RigSettings rig, int width_px);
 
 // The camera as it truly is; the table's x axis points towards it at angle 0.
 Calibration trueCalibration(const RigSettings& rig);
+
+// The camera of trueCalibration() once it has been knocked aside by bump_px, about its own centre.
+Calibration bumpedCalibration(const RigSettings& rig);
+bool isBumped(const RigSettings& rig, std::int64_t steps);
 
 // Where the table truly stands after so many commanded steps; exactly 0 at 0 steps, because the
 // first picture defines the table frame. Nominal angle, scaled, with a once-per-turn and a white
@@ -105,6 +112,8 @@ void RigSettings::describe(V& visit) {
   visit({"platter-radius", "mm", 5, 500, "Radius of the platter."}, platter_radius_mm);
   visit({"noise-sigma", "", 0, 50, "Noise of the sensor in grey levels."}, noise_sigma);
   visit({"blur-sigma", "px", 0, 5, "Blur of the lens."}, blur_sigma_px);
+  visit({"bump", "px", -100, 100, "How far somebody knocks the picture aside."}, bump_px);
+  visit({"bump-at", "deg", -36000, 36000, "Where the table then stands."}, bump_at_deg);
   visit({"steps-per-turn", "", 8, 10000000, "Motor steps a turn."}, steps_per_turn);
   visit({"step-scale-error", "", -0.2, 0.2, "How much too far the motor turns."}, step_scale_error);
   visit({"white-error", "deg", 0, 5, "Random error of each position."}, white_error_deg);
