@@ -31,7 +31,18 @@ struct PageAxes {
   Eigen::Vector3d down_in_target = Eigen::Vector3d::Zero();
 };
 
+// A round mark in the middle of a square that tells which face and which way round it is; of the
+// other colour than its square.
+struct TargetDot {
+  Eigen::Vector3d centre_in_target = Eigen::Vector3d::Zero();  // mm
+  double diameter_mm = 0.0;
+};
+
 // Stands on z = 0 of its own frame, z up.
+//
+// The corners of a face lie on a lattice of squares, dark and bright in turn. Squares that hold a
+// marker are bright. Where a face has none, the square at the first corner of its list that lies
+// towards the last one is dark. Seen from outside, the squares reach one beyond the outer corners.
 struct Target {
   std::string name;
   std::string dictionary;  // "DICT_5X5_250"; empty when it has no markers
@@ -39,6 +50,7 @@ struct Target {
   std::vector<TargetMarker> markers;
   std::vector<std::vector<int>> faces;  // ids of the corners that share a plane
   std::vector<PageAxes> page_axes;      // one a face, or none when it was not printed by us
+  std::vector<TargetDot> dots;
 };
 
 // A point of the target that pictures can show.
