@@ -123,7 +123,11 @@ Result<void> TurningFinder::Search::begin() {
 Result<void> TurningFinder::Search::turnBy(double told_rad) {
   target_told_rad_ += told_rad;
   const Task silent(task_.stopToken());
-  const auto moved = finder_.turntable_.moveTo(begin_rad_ + target_told_rad_, silent);
+  auto moved = finder_.turntable_.moveTo(begin_rad_ + target_told_rad_, silent);
+  // A bad wire may lose a move. Told as a place, not as a way, it does no harm twice.
+  if (!moved && moved.error().code == Error::Code::kTimeout) {
+    moved = finder_.turntable_.moveTo(begin_rad_ + target_told_rad_, silent);
+  }
   if (!moved) return moved;
   const auto sighting =
       sightTarget(finder_.camera_, finder_.settling_, finder_.find_target_, task_);

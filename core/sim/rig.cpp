@@ -39,6 +39,10 @@ Result<void> RigSettings::validate() const {
     return Error{Error::Code::kInvalidInput, "The simulated rig has no object '" + object + "'.",
                  "Choose one of: " + known + "."};
   }
+  if (motor_direction == 0) {
+    return Error{Error::Code::kInvalidInput, "The simulated motor's direction is 0.",
+                 "Use 1 or -1."};
+  }
   if (material != "matte" && material != "glossy") {
     return Error{Error::Code::kInvalidInput,
                  "The simulated rig has no material '" + material + "'.",
@@ -103,8 +107,8 @@ bool isBumped(const RigSettings& rig, std::int64_t steps) {
 }
 
 double trueAngleRad(const RigSettings& rig, std::int64_t steps) {
-  const double nominal_rad =
-      kTurn_rad * static_cast<double>(steps) / static_cast<double>(rig.steps_per_turn);
+  const double nominal_rad = rig.motor_direction * kTurn_rad * static_cast<double>(steps) /
+                             static_cast<double>(rig.steps_per_turn);
   return nominal_rad * (1.0 + rig.step_scale_error) + motorErrorRad(rig, steps, nominal_rad) -
          motorErrorRad(rig, 0, 0.0);
 }
