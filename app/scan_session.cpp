@@ -23,6 +23,9 @@ namespace {
 Result<ScanStore> storeFor(const Rig& rig, const ScanPlan& plan) {
   if (plan.begin != ScanBegin::kNew) return ScanStore::open(plan.folder);
   ScanSettings settings = plan.settings;
+  const TurntableInfo info = rig.turntable->info();
+  settings.units_per_turn = info.units_per_turn;
+  settings.direction = info.direction;
   if (rig.room) settings.sim_rig_json = rigToJson(rig.room->settings);
   return ScanStore::create(plan.folder, settings, plan.calibration);
 }

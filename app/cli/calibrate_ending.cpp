@@ -50,16 +50,6 @@ void tellFit(Console& console, const CalibrationRecord& record) {
   console.say(fit.str());
 }
 
-void tellVerdict(Console& console, const CalibrationReport& report) {
-  std::ostringstream figures;
-  figures << std::fixed << "On an object of " << std::setprecision(0) << report.object_size_mm
-          << " mm: local detail ± " << std::setprecision(4) << report.local_detail_mm
-          << " mm, overall size ± " << std::setprecision(3) << report.overall_size_mm << " mm"
-          << (report.size_verified ? "." : " (size not verified).");
-  console.say(figures.str());
-  console.say(std::string("Verdict: ") + verdictWord(report.verdict) + ". " + report.sentence);
-}
-
 }  // namespace
 
 std::string turningText(double told_rad, double turned_rad) {
@@ -82,6 +72,16 @@ void tellOutcome(Console& console, const CalibrationOutcome& outcome) {
                std::to_string(outcome.skipped.size() + outcome.views.size()) +
                " pictures are left out:");
   for (const std::string& skipped : outcome.skipped) console.warn("  " + skipped);
+}
+
+void tellVerdict(Console& console, const CalibrationReport& report) {
+  std::ostringstream figures;
+  figures << std::fixed << "On an object of " << std::setprecision(0) << report.object_size_mm
+          << " mm: local detail ± " << std::setprecision(4) << report.local_detail_mm
+          << " mm, overall size ± " << std::setprecision(3) << report.overall_size_mm << " mm"
+          << (report.size_verified ? "." : " (size not verified).");
+  console.say(figures.str());
+  console.say(std::string("Verdict: ") + verdictWord(report.verdict) + ". " + report.sentence);
 }
 
 int endCalibration(Console& console, const std::filesystem::path& file,

@@ -20,6 +20,9 @@ std::string pictureText(const SightedPicture& picture);
 // Pictures left out, and what was noticed about the table.
 void tellOutcome(Console& console, const CalibrationOutcome& outcome);
 
+// The verdict, its sentence and its two figures.
+void tellVerdict(Console& console, const CalibrationReport& report);
+
 // Writes the file, says the verdict with its two figures, and gives the exit code: kFailed, with
 // the file written and marked, when it is to be done again.
 int endCalibration(Console& console, const std::filesystem::path& file,
