@@ -8,116 +8,24 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/base/random.h"
 #include "core/device/protocol_turntable.h"
-#include "core/geometry/turntable_pose.h"
 #include "core/sim/rig.h"
 #include "core/sim/turntable_firmware.h"
 #include "tests/support/faulty_port.h"
+#include "tests/support/watched_target.h"
 
 namespace gyre {
 namespace {
 
+using test::BlankCamera;
+using test::OddTable;
+using test::wedge;
+using test::World;
 using testing::HasSubstr;
 
 constexpr double kMostMove_rad = radFromDeg(20.0);
-constexpr double kSighting_sigma_px = 0.05;
 // A lens that is not known may be off by so much in the angle.
 constexpr double kRoughLens = 0.05;
-
-// Two faces of lattice points, at right angles, standing on the table.
-Target wedge() {
-  Target target;
-  target.name = "wedge";
-  for (int face = 0; face < 2; ++face) {
-    for (int row = 0; row < 4; ++row) {
-      for (int column = 0; column < 4; ++column) {
-        const double along = 10.0 * (column - 1.5);
-        const double up = 8.0 + 10.0 * row;
-        target.corners.push_back(
-            {static_cast<int>(target.corners.size()),
-             face == 0 ? Eigen::Vector3d(20.0, along, up) : Eigen::Vector3d(along, 20.0, up)});
-      }
-    }
-  }
-  return target;
-}
-
-// What stands on the platter, seen exactly but for noise; nothing is rendered.
-class World {
- public:
-  // The truth of the table's angle, wherever it comes from. [rad]
-  std::function<double()> angle_rad;
-  bool visible = true;
-  int pictures = 0;
-  double largest_move_rad = 0.0;
-
-  Result<TargetView> look() {
-    const double now_rad = angle_rad();
-    if (pictures++ > 0) {
-      largest_move_rad = std::max(largest_move_rad, std::abs(now_rad - last_rad_));
-    }
-    last_rad_ = now_rad;
-    if (!visible)
-      return Error{Error::Code::kNotFound, "The target is not in the picture.", "Look."};
-    const Calibration truth = trueCalibration({});
-    Rigid3 table_from_target;
-    table_from_target.translation = {6.0, -9.0, 0.0};
-    TargetView view;
-    Random random(static_cast<std::uint64_t>(pictures));
-    const Target target = wedge();
-    for (std::size_t i = 0; i < target.corners.size(); ++i) {
-      const Eigen::Vector3d x = table_from_target * target.corners[i].position_in_target;
-      const auto pixel = truth.camera.project(camFromTable(*truth.cam_from_table, now_rad) * x);
-      const Eigen::Vector2d noise(random.gaussian(), random.gaussian());
-      view.sightings.push_back(
-          {static_cast<int>(i), *pixel + kSighting_sigma_px * noise, kSighting_sigma_px});
-    }
-    return view;
-  }
-
- private:
-  double last_rad_ = 0.0;
-};
-
-// Pictures of the right size in which the finder does not look.
-class BlankCamera final : public Camera {
- public:
-  Result<FramePtr> grabAfter(double, const Task& task) override {
-    if (task.stopRequested()) return cancelled();
-    Frame frame;
-    frame.image_bgr = cv::Mat::zeros(960, 1280, CV_8UC3);
-    return std::make_shared<const Frame>(frame);
-  }
-  Result<CameraInfo> lockControls() override { return CameraInfo{}; }
-  CameraInfo info() const override { return {}; }
-};
-
-// A table that obeys at once, in its own way.
-class OddTable final : public Turntable {
- public:
-  explicit OddTable(std::function<double(double told_rad)> turned_rad)
-      : turned_rad_(std::move(turned_rad)) {}
-
-  Result<void> moveTo(double angle_rad, const Task&) override {
-    told_rad_ = angle_rad;
-    return {};
-  }
-  double angleRad() const override { return told_rad_; }
-  double trueAngleRad() const { return turned_rad_(told_rad_); }
-  std::int64_t steps() const override { return 0; }
-  Result<void> setAngle(double) override { return {}; }
-  void stop() noexcept override { stopped = true; }
-  Result<void> release() override { return {}; }
-  Result<void> correct(double) override { return {}; }
-  TurntableInfo info() const override { return {}; }
-
-  bool stopped = false;
-
- private:
-  std::function<double(double)> turned_rad_;
-  double told_rad_ = 0.0;
-};
 
 Result<FoundTurning> findOn(OddTable& table, World& world, const Task& task = {}) {
   world.angle_rad = [&] { return table.trueAngleRad(); };
@@ -251,11 +159,10 @@ TEST(FindTurningOverTheWire, CorrectsTwiceTheSteps) { expectCorrected({2.0}); }
 TEST(FindTurningOverTheWire, CorrectsAReversedMotor) { expectCorrected({1.0, true}); }
 TEST(FindTurningOverTheWire, CorrectsFiftyTimesTheSteps) { expectCorrected({50.0, true}); }
 TEST(FindTurningOverTheWire, CorrectsAFiftiethOfTheSteps) { expectCorrected({0.02}); }
-TEST(FindTurningOverTheWire, CorrectsThroughABadWire) {
+TEST(FindTurningOverTheWire, CorrectsThroughASlowWire) {
   Wire wire{2.0, true};
   wire.faults.split = true;
-  wire.faults.corrupt = 0.001;
-  wire.faults.drop = 0.001;
+  wire.faults.delay_s = 0.005;
   expectCorrected(wire);
 }
 
