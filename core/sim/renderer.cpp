@@ -42,7 +42,6 @@ std::uint64_t word(TableLoad load) { return load == TableLoad::kObject ? 1 : 0; 
 // Triangles whose corners' normals all agree with their own: away from creases.
 std::vector<std::uint8_t> smoothTriangles(const Mesh& mesh) {
   std::vector<std::uint8_t> smooth;
-  smooth.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     const auto& va = mesh.vertices[a];
     const auto& vb = mesh.vertices[b];
@@ -80,11 +79,6 @@ const Mesh& meshOf(const PrintedTarget* target) {
 }
 
 }  // namespace
-
-Renderer::Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target)
-    : Renderer(rig, target, trueCalibration(rig)) {
-  if (rig.bump_px != 0.0) bumped_.reset(new Renderer(rig, target, bumpedCalibration(rig)));
-}
 
 Renderer::Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target,
                    const Calibration& calibration)
