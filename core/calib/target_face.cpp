@@ -225,7 +225,8 @@ std::vector<TargetFace> facesOf(const Target& target) {
     double step_mm = std::numeric_limits<double>::max();
     for (std::size_t k = 0; k < members[i].points.size(); ++k) {
       face.corners.push_back({members[i].points[k], face.placeOf(members[i].positions[k]), 0.0});
-      if (k > 0) step_mm = std::min(step_mm, (members[i].positions[k] - members[i].positions[0]).norm());
+      if (k > 0)
+        step_mm = std::min(step_mm, (members[i].positions[k] - members[i].positions[0]).norm());
     }
     face.grid = gridOf(face.corners, step_mm);
     for (std::size_t k = 0; k < points.size(); ++k) {

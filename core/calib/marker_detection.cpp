@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/calib/marker_detection.h"
+
+#include <algorithm>
+
+#include <opencv2/aruco.hpp>
+
+#include "core/scan/marker_dictionary.h"
+
+namespace gyre {
+namespace {
+
+// The largest of each size contains what smaller ones hold, in the order of their release.
+constexpr std::array<const char*, 5> kFamilies = {"DICT_4X4_1000", "DICT_5X5_1000", "DICT_6X6_1000",
+                                                  "DICT_7X7_1000", "DICT_ARUCO_ORIGINAL"};
+constexpr int kForeignEvidence = 2;
+
+MarkerCorners cornersOf(const std::vector<cv::Point2f>& quadrangle) {
+  MarkerCorners corners{};
+  for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = {quadrangle[i].x, quadrangle[i].y};
+  return corners;
+}
+
+}  // namespace
+
+Result<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::string& dictionary) {
+  const auto known = markerDictionary(dictionary);
+  if (!known) {
+    return Error{Error::Code::kInvalidInput,
+                 "Nobody knows the dictionary of codes '" + dictionary + "'.",
+                 "Name one of OpenCV's ArUco dictionaries in the target file."};
+  }
+  try {
+    std::vector<std::vector<cv::Point2f>> quadrangles;
+    std::vector<std::vector<cv::Point2f>> rejected;
+    std::vector<int> ids;
+    const auto codes = cv::aruco::getPredefinedDictionary(known->opencv_number);
+    const auto parameters = cv::aruco::DetectorParameters::create();
+    cv::aruco::detectMarkers(grey, codes, quadrangles, ids, parameters, rejected);
+    MarkerDetection detection;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      detection.markers.push_back({ids[i], cornersOf(quadrangles[i])});
+    }
+    std::stable_sort(detection.markers.begin(), detection.markers.end(),
+                     [](const auto& a, const auto& b) { return a.id < b.id; });
+    for (const auto& quadrangle : rejected) detection.unreadable.push_back(cornersOf(quadrangle));
+    return detection;
+  } catch (const cv::Exception& exception) {
+    return Error{Error::Code::kInternal,
+                 "Searching for codes failed: " + std::string(exception.what()), ""};
+  }
+}
+
+ForeignMarkers findForeignMarkers(const cv::Mat& grey, const std::string& but_not_dictionary) {
+  const auto own = markerDictionary(but_not_dictionary);
+  ForeignMarkers most;
+  for (const char* family : kFamilies) {
+    const auto known = markerDictionary(family);
+    if (!known || (own && own->bits_a_side == known->bits_a_side)) continue;
+    const auto detection = detectMarkers(grey, family);
+    if (!detection) continue;
+    const int count = static_cast<int>(detection->markers.size());
+    if (count >= kForeignEvidence && count > most.markers) most = {family, count};
+  }
+  return most;
+}
+
+}  // namespace gyre
