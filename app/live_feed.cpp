@@ -33,6 +33,11 @@ std::size_t LiveFeed::pointsSoFar() const {
   return points_;
 }
 
+std::optional<int> LiveFeed::bumpedView() const {
+  const std::scoped_lock lock(mutex_);
+  return bumped_view_;
+}
+
 Result<Reconstruction> LiveFeed::finish(const Task& task) {
   {
     std::unique_lock lock(mutex_);
@@ -71,6 +76,10 @@ void LiveFeed::run(const std::stop_token& stop) {
 Result<std::size_t> LiveFeed::addFrame(const FramePtr& frame) try {
   auto tracked = reconstruction_.addFrame(frame);
   if (!tracked) return tracked.error();
+  if (tracked->drift.moved) {
+    const std::scoped_lock lock(mutex_);
+    if (!bumped_view_) bumped_view_ = tracked->drift.view;
+  }
   if (watcher_) {
     const PointCloudPtr cloud = reconstruction_.cloudSoFar();
     watcher_(std::move(tracked).value(), cloud);

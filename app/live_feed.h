@@ -35,6 +35,8 @@ class LiveFeed {
   void push(const FramePtr& frame);
 
   std::size_t pointsSoFar() const;
+  // The view at which the camera was first seen bumped.
+  std::optional<int> bumpedView() const;
 
   // Waits for the frames that wait and gives the final points, or why there are none.
   Result<Reconstruction> finish(const Task& task);
@@ -51,6 +53,7 @@ class LiveFeed {
   std::deque<FramePtr> waiting_;
   bool working_ = false;
   std::size_t points_ = 0;
+  std::optional<int> bumped_view_;
   std::optional<Error> failure_;
   std::jthread thread_;  // last: it must stop before the rest goes
 };

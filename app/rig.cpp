@@ -35,7 +35,9 @@ Result<std::unique_ptr<SimulatedRoom>> furnish(const std::string& turntable_word
   if (const auto valid = room->settings.validate(); !valid) return valid.error();
   room->shaft = std::make_shared<Shaft>();
   TurntableFirmwareOptions firmware;
-  firmware.steps_per_turn = room->settings.steps_per_turn;
+  firmware.steps_per_turn = room->settings.firmware_steps_per_turn > 0.0
+                                ? room->settings.firmware_steps_per_turn
+                                : room->settings.steps_per_turn;
   room->firmware =
       std::make_unique<TurntableFirmware>(firmware, room->shaft, SimClock(options.sim_speed));
   return room;

@@ -56,11 +56,14 @@ Result<LiveReconstruction> startReconstruction(const ScanStore& store) {
   return LiveReconstruction::create(store.calibration(), empty_table ? *empty_table : nullptr);
 }
 
-// The task's reports with the number of points behind them.
+// The task's reports with the number of points behind them, and a bump of the camera.
 Task withPoints(const Task& task, const LiveFeed& feed) {
   return Task(task.stopToken(), [task, &feed](double fraction, std::string_view stage) {
-    task.report(fraction,
-                std::string(stage) + ", " + std::to_string(feed.pointsSoFar()) + " points");
+    std::string text = std::string(stage) + ", " + std::to_string(feed.pointsSoFar()) + " points";
+    if (const auto bumped = feed.bumpedView()) {
+      text += ", the camera was bumped at view " + std::to_string(*bumped + 1);
+    }
+    task.report(fraction, text);
   });
 }
 

@@ -24,6 +24,9 @@ namespace {
 Result<ScanStore> storeFor(const Rig& rig, const ScanPlan& plan) {
   if (plan.begin != ScanBegin::kNew) return ScanStore::open(plan.folder);
   ScanSettings settings = plan.settings;
+  const TurntableInfo info = rig.turntable->info();
+  settings.units_per_turn = info.units_per_turn;
+  settings.direction = info.direction;
   if (rig.room) settings.sim_rig_json = rigToJson(rig.room->settings);
   return ScanStore::create(plan.folder, settings, plan.calibration);
 }
@@ -78,6 +81,9 @@ Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
   auto results = writeScanResults(*store, *reconstruction, task.part(0.9, 1.0));
   if (!results) return results.error();
   std::optional<Error> problem = results->mesh_problem;
+  if (!problem && reconstruction->drift.firstMoved() != nullptr) {
+    problem = Error{Error::Code::kRejected, reconstruction->drift.sentence, ""};
+  }
   const auto enough = enoughPoints(reconstruction->cloud, store->views().size());
   if (!enough) problem = enough.error();
   return ScanSessionResult{std::move(reconstruction).value(), std::move(results).value(), problem};

@@ -36,7 +36,7 @@ struct ScanPlan {
 struct ScanSessionResult {
   Reconstruction reconstruction;
   WrittenResults results;
-  std::optional<Error> problem;  // too few points, or no mesh: shown beside what there is
+  std::optional<Error> problem;  // too few points, no mesh, a bump: shown beside what there is
 };
 
 // A picture of the bare table at the angle at which the table stands. In a simulated room the

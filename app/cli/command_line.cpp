@@ -26,8 +26,8 @@ void addLoudness(CLI::App& command, Loudness& loudness) {
 }
 
 void addSubcommands(CLI::App& app, Loudness& loudness, Run& chosen) {
-  for (const auto& add : {addDemo, addScan, addResume, addReconstruct, addMesh, addCompare,
-                          addPrintTarget, addDevices, addSimFirmware}) {
+  for (const auto& add : {addDemo, addScan, addResume, addCalibrate, addReconstruct, addMesh,
+                          addCompare, addPrintTarget, addDevices, addSimFirmware}) {
     add(app, chosen);
   }
   for (CLI::App* command : app.get_subcommands({})) addLoudness(*command, loudness);

@@ -7,6 +7,9 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/calibrated_rig.h"
+#include "app/calibration_run.h"
+#include "app/cli/calibrate_ending.h"
 #include "app/cli/scan_ending.h"
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
@@ -26,6 +29,7 @@ namespace {
 struct Words {
   std::string object;
   int views = 200;
+  bool calibrate = false;
   std::string out;
   SimWords sim;
 };
@@ -49,12 +53,43 @@ Result<Reconstruction> scan(Rig& rig, ScanStore& store, const Task& task) {
   return points;
 }
 
+// Turns a target on the same rig first, as a user would.
+Result<CalibrationRecord> calibrationOf(const RigSettings& sim, const Words& words,
+                                        Console& console, const Task& task) {
+  CalibrationRecord record;
+  if (!words.calibrate) {
+    record.calibration = trueCalibration(sim);
+    return record;
+  }
+  CalibrationWords what;
+  what.target = "wedge";
+  const auto setup = calibrationSetup(what);
+  if (!setup) return setup.error();
+  RigOptions options;
+  options.sim = sim;
+  options.sim.object = "target";
+  options.sim.target = what.target;
+  options.sim_speed = words.sim.speed;
+  auto rig = openRig("sim", "sim", options, task);
+  if (!rig) return rig.error();
+  rig->room->setTable(TableLoad::kObject);
+  const auto outcome =
+      calibrateLive({*rig->turntable, *rig->camera}, setup->target, setup->options, {}, task);
+  if (!outcome) return outcome.error();
+  tellOutcome(console, *outcome);
+  tellVerdict(console, outcome->rig.report);
+  return recordOf(*outcome, nowUtcText());
+}
+
 int run(const Words& words, Console& console, const Task& task) {
   const double start_s = steadySeconds();
   const auto settings = simulatedRig(words.sim, words.object);
   if (!settings) return console.wrongUse(settings.error());
+  const auto calibration =
+      calibrationOf(*settings, words, console, task.part(0.0, words.calibrate ? 0.2 : 0.0));
+  if (!calibration) return console.fail(calibration.error());
   auto store =
-      ScanStore::create(words.out, settingsFor(*settings, words.views), trueCalibration(*settings));
+      ScanStore::create(words.out, settingsFor(*settings, words.views), calibration->calibration);
   if (!store) return console.fail(store.error());
   RigOptions options;
   options.sim = *settings;
@@ -62,7 +97,10 @@ int run(const Words& words, Console& console, const Task& task) {
   task.report(0.0, "Building the simulated rig");
   auto rig = openRig(store->settings().turntable, "sim", options, task);
   if (!rig) return console.fail(rig.error());
-  const auto reconstruction = scan(*rig, *store, task.part(0.0, 0.85));
+  if (const auto matched = applyCalibration(*rig, *calibration); !matched) {
+    return console.fail(matched.error());
+  }
+  const auto reconstruction = scan(*rig, *store, task.part(words.calibrate ? 0.2 : 0.0, 0.85));
   if (!reconstruction) return failScan(console, *store, reconstruction.error());
   const auto written = writeScanResults(*store, *reconstruction, task.part(0.85, 0.92));
   if (!written) return failScan(console, *store, written.error());
@@ -87,6 +125,8 @@ void addDemo(CLI::App& app, Run& chosen) {
       ->check(CLI::IsMember(objectNames()));
   command->add_option("--views", words->views, "Pictures in one turn (default 200)")
       ->check(CLI::Range(2, 100000));
+  command->add_flag("--calibrate", words->calibrate,
+                    "Turn a target first and use that calibration instead of the true one");
   command->add_option("--out", words->out, "Folder for the scan; new or empty")->required();
   addSimWords(*command, words->sim);
   command->callback([&chosen, words] {

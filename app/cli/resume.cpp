@@ -54,6 +54,9 @@ Result<Rig> openAgain(const Words& words, const ScanStore& store, const Task& ta
   RigOptions options;
   options.camera_mode = settings.camera_mode;
   options.turntable.axis = settings.axis;
+  options.turntable.units_per_turn = settings.units_per_turn;
+  options.turntable.direction = settings.direction;
+  options.turntable.turning_measured = settings.units_per_turn != 360.0;
   options.sim_speed = words.sim_speed;
   if (!settings.sim_rig_json.empty()) {
     const auto sim = rigFromJson(settings.sim_rig_json);

@@ -9,13 +9,15 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/calibrated_rig.h"
+#include "app/calibration_run.h"
 #include "app/cli/scan_ending.h"
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
-#include "core/io/calibration_file.h"
+#include "core/io/calibration_record_file.h"
 #include "core/io/scan_store.h"
 #include "core/sim/rig_json.h"
 
@@ -33,7 +35,7 @@ struct Words {
 // Everything that can be wrong is found out before the folder is made.
 struct Plan {
   ScanSettings settings;
-  Calibration calibration;
+  CalibrationRecord calibration;
   RigOptions options;
 };
 
@@ -54,16 +56,32 @@ Result<Plan> planOf(const Words& words) {
     if (rig->object == "target") plan.settings.turntable = "sim";
   }
   if (!words.calibration.empty()) {
-    auto calibration = readCalibration(words.calibration);
+    auto calibration = readCalibrationRecord(words.calibration);
     if (!calibration) return calibration.error();
     plan.calibration = std::move(calibration).value();
   } else if (simulated && words.settings.camera == "sim") {
-    plan.calibration = trueCalibration(plan.options.sim);
+    plan.calibration.calibration = trueCalibration(plan.options.sim);
   } else {
     return Error{Error::Code::kInvalidInput, "A real rig cannot be measured with uncalibrated.",
                  "Give its calibration with --calibration FILE."};
   }
   return plan;
+}
+
+// The rig as its calibration knows it; tells when the camera has moved since.
+Result<void> matchCalibration(const Words& words, const Rig& rig, Plan& plan, Console& console,
+                              const Task& task) {
+  const auto remarks = applyCalibration(rig, plan.calibration);
+  if (!remarks) return remarks.error();
+  for (const std::string& remark : *remarks) console.warn(remark);
+  const TurntableInfo info = rig.turntable->info();
+  plan.settings.units_per_turn = info.units_per_turn;
+  plan.settings.direction = info.direction;
+  if (words.calibration.empty()) return {};
+  const auto moved = lookBeforeScan(rig, referenceFor(words.calibration), task);
+  if (!moved) return moved.error();
+  if (!moved->empty()) console.warn(*moved);
+  return {};
 }
 
 Result<Reconstruction> scan(const Words& words, Rig& rig, ScanStore& store, const Task& task) {
@@ -81,7 +99,10 @@ int run(const Words& words, Console& console, const Task& task) {
   auto rig = openRig(plan->settings.turntable, plan->settings.camera, plan->options, task);
   if (!rig) return console.fail(rig.error());
   tellDevices(console, *rig);
-  auto store = ScanStore::create(words.out, plan->settings, plan->calibration);
+  if (const auto matched = matchCalibration(words, *rig, *plan, console, task); !matched) {
+    return console.fail(matched.error());
+  }
+  auto store = ScanStore::create(words.out, plan->settings, plan->calibration.calibration);
   if (!store) return console.fail(store.error());
   return endScan(console, *store, scan(words, *rig, *store, task.part(0.0, 0.9)),
                  task.part(0.9, 1.0));

@@ -22,6 +22,11 @@ void tellResults(Console& console, const Reconstruction& reconstruction,
          << reconstruction.turn_gap->px << " px";
   }
   console.say(text.str() + ".");
+  if (reconstruction.drift.firstMoved() != nullptr) {
+    console.warn(reconstruction.drift.sentence);
+  } else {
+    console.note(reconstruction.drift.sentence);
+  }
   if (written.mesh_problem) {
     console.warn("There is no mesh: " + written.mesh_problem->sentence());
   } else {

@@ -16,6 +16,7 @@ struct TurntableOptions {
   double speed_deg_per_s = 20.0;  // objects that can topple or slip want less
   double approach_deg = 2.0;      // how far a backward move goes past its target and returns
   double steps_per_turn = 0.0;    // as measured; 0 = as the firmware's settings say
+  bool turning_measured = false;  // a camera found units and direction: they need not be round
   double greeting_s = 3.0;        // how long a board may take to start after its port is opened
   std::string device_id;          // stable name for reports; empty = the port's name
 

@@ -42,7 +42,7 @@ Result<std::unique_ptr<ProtocolTurntable>> ProtocolTurntable::open(std::unique_p
   const Interrupted interrupted = [&] { return task.stopRequested(); };
   const Result<GrblBoardInfo> board = identifyGrbl(table->link_, options.greeting_s, interrupted);
   if (!board) return board.error();
-  if (const Result<void> adopted = table->adopt(*board); !adopted) return adopted.error();
+  if (const Result<void> adopted = table->adopt(*board, options); !adopted) return adopted.error();
   const Result<GrblStatus> status = table->link_.status(kReply_s, interrupted);
   if (!status) return status.error();
   const Result<std::int64_t> machine = table->machineStepsIn(*status);
@@ -52,36 +52,36 @@ Result<std::unique_ptr<ProtocolTurntable>> ProtocolTurntable::open(std::unique_p
   return table;
 }
 
-Result<void> ProtocolTurntable::adopt(const GrblBoardInfo& board) {
-  axis_.letter = options_.axis.front();
-  axis_.index = grblAxisIndex(axis_.letter);
-  const auto setting = [&](int base, double otherwise) {
-    const auto found = board.settings.find(base + static_cast<int>(axis_.index));
-    return found == board.settings.end() ? otherwise : found->second;
-  };
-  const double steps_per_unit = setting(100, options_.steps_per_turn / options_.units_per_turn);
-  if (!(steps_per_unit > 0.0)) {
-    return Error{Error::Code::kRejected,
-                 "The board does not tell the steps of its axis " + options_.axis + ".",
-                 "Choose another axis, or give the steps per turn."};
-  }
-  axis_.steps_per_unit = steps_per_unit;
-  const double units_per_deg = options_.units_per_turn / 360.0;
-  const double wished = options_.speed_deg_per_s * units_per_deg;
-  const double most = setting(110, 0.0) / 60.0;
-  axis_.feed_units_per_s = most > 0.0 ? std::min(wished, most) : wished;
-  const double acceleration = setting(120, 0.0);
-  axis_.acceleration_units_per_s2 = acceleration > 0.0 ? acceleration : wished;
+Result<void> ProtocolTurntable::adopt(const GrblBoardInfo& board, const TurntableOptions& options) {
+  const Result<TurntableAxis> axis = turntableAxis(board.settings, options);
+  if (!axis) return axis.error();
+  axis_ = *axis;
+  board_ = board;
+  options_ = options;
   if (const auto inches = board.settings.find(13);
       inches != board.settings.end() && inches->second != 0.0) {
     link_.setReportScale(25.4);
   }
   info_.firmware = board.firmware;
-  info_.device_id = options_.device_id.empty() ? link_.name() : options_.device_id;
-  info_.steps_per_turn = options_.steps_per_turn > 0.0
-                             ? options_.steps_per_turn
-                             : wholeStepsPerTurn(steps_per_unit, options_.units_per_turn);
-  info_.hindrances = turntableHindrances(board.settings, options_);
+  info_.device_id = options.device_id.empty() ? link_.name() : options.device_id;
+  info_.axis = options.axis;
+  info_.units_per_turn = options.units_per_turn;
+  info_.direction = options.direction;
+  info_.steps_per_turn = axis_.steps_per_turn;
+  info_.hindrances = turntableHindrances(board.settings, options);
+  return {};
+}
+
+// The board's own count does not change, but what it means.
+Result<void> ProtocolTurntable::correct(double turned_over_told) {
+  if (!std::isfinite(turned_over_told) || turned_over_told == 0.0) {
+    return Error{Error::Code::kInvalidInput, "The table's ratio of turning is not a number.", ""};
+  }
+  const TurntableOptions corrected = correctedOptions(options_, turned_over_told);
+  if (const Result<void> valid = corrected.validate(); !valid) return valid;
+  if (const Result<void> adopted = adopt(GrblBoardInfo(board_), corrected); !adopted)
+    return adopted;
+  origin_steps_ = machine_steps_;
   return {};
 }
 

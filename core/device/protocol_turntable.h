@@ -13,6 +13,7 @@
 #include "core/device/protocols/grbl_handshake.h"
 #include "core/device/protocols/grbl_link.h"
 #include "core/device/turntable.h"
+#include "core/device/turntable_axis.h"
 
 namespace gyre {
 
@@ -37,23 +38,16 @@ class ProtocolTurntable final : public Turntable {
   Result<void> setAngle(double angle_rad) override;
   void stop() noexcept override { stop_requested_ = true; }
   Result<void> release() override;
+  Result<void> correct(double turned_over_told) override;
   TurntableInfo info() const override { return info_; }
 
  private:
-  // What the firmware's settings mean for the one axis that turns.
-  struct Axis {
-    char letter = 'X';
-    std::size_t index = 0;
-    double steps_per_unit = 0.0;
-    double feed_units_per_s = 0.0;
-    double acceleration_units_per_s2 = 0.0;
-  };
   enum class Outcome { kArrived, kStrayed };
 
   ProtocolTurntable(std::unique_ptr<BytePort> port, const TurntableOptions& options)
       : link_(std::move(port)), options_(options) {}
 
-  Result<void> adopt(const GrblBoardInfo& board);
+  Result<void> adopt(const GrblBoardInfo& board, const TurntableOptions& options);
   Result<void> makeReady(const Interrupted& interrupted);
   Result<void> wake(const GrblStatus& status, const Interrupted& interrupted);
   Result<Outcome> attempt(std::int64_t target, const Interrupted& interrupted);
@@ -71,7 +65,8 @@ class ProtocolTurntable final : public Turntable {
 
   GrblLink link_;
   TurntableOptions options_;
-  Axis axis_;
+  GrblBoardInfo board_;
+  TurntableAxis axis_;
   TurntableInfo info_;
   std::int64_t machine_steps_ = 0;  // by the board's count, at the last confirmed standstill
   std::int64_t origin_steps_ = 0;   // the board's count at angle 0

@@ -35,6 +35,11 @@ class Turntable {
   // moveTo() refuses until setAngle().
   virtual Result<void> release() = 0;
 
+  // Tells how far the table was seen to turn for each radian it was told, negative for clockwise:
+  // from then on one radian told is one turned, counter-clockwise. The angle at which it stands
+  // becomes 0. Moves nothing; info() tells the corrected units. Fails when the ratio is absurd.
+  virtual Result<void> correct(double turned_over_told) = 0;
+
   virtual TurntableInfo info() const = 0;
 
  protected:

@@ -51,7 +51,7 @@ std::vector<std::string> turntableHindrances(const std::map<int, double>& settin
     found.emplace_back("Laser mode is on ($32): send $32=0 unless a laser is connected.");
   }
   const double steps = setting(100 + axis, 0.0) * options.units_per_turn;
-  if (options.steps_per_turn == 0.0 && steps > 0.0 &&
+  if (options.steps_per_turn == 0.0 && !options.turning_measured && steps > 0.0 &&
       wholeStepsPerTurn(steps / options.units_per_turn, options.units_per_turn) !=
           std::round(steps)) {
     found.push_back("One turn is " + shortNumber(steps) + " motor steps by $" +

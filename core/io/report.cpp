@@ -44,6 +44,22 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
+// {sentence, views: [{view, px, sigma_px, moved}]}; a view that nobody could judge has no px.
+ordered_json driftJson(const DriftReport& drift) {
+  ordered_json root;
+  root["sentence"] = drift.sentence;
+  root["views"] = ordered_json::array();
+  for (const ViewDrift& each : drift.views) {
+    ordered_json view;
+    view["view"] = each.view;
+    view["px"] = each.judged ? ordered_json(each.px) : ordered_json();
+    view["sigma_px"] = each.judged ? ordered_json(each.sigma_px) : ordered_json();
+    view["moved"] = each.moved;
+    root["views"].push_back(std::move(view));
+  }
+  return root;
+}
+
 std::string withUnit(double number, const char* unit) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.3g %s", number, unit);
@@ -84,6 +100,7 @@ void appendResult(std::string& html, const Report& report) {
   if (report.closure_mm) {
     appendRow(html, "Gap after a full turn", withUnit(*report.closure_mm, "mm"));
   }
+  appendRow(html, "Bumps of the camera", report.drift.sentence);
   html.append("</table>\n");
 }
 
@@ -119,6 +136,7 @@ std::string reportJson(const Report& report) {
   root["median_px"] = numberOrNull(report.median_px);
   root["closure_px"] = numberOrNull(report.closure_px);
   root["closure_mm"] = numberOrNull(report.closure_mm);
+  root["drift"] = report.drift.views.empty() ? ordered_json() : driftJson(report.drift);
   root["seconds"] = ordered_json::object();
   for (const auto& [stage, seconds] : report.seconds) root["seconds"][stage] = seconds;
   const auto& sigma = report.sigma_mm;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/scan/drift.h"
 #include "core/scan/point_cloud.h"
 
 namespace gyre {
@@ -35,6 +36,7 @@ struct Report {
   std::optional<double> closure_px;  // gap after a full turn
   std::optional<double> closure_mm;
   std::optional<SigmaPercentiles> sigma_mm;
+  DriftReport drift;                            // without views when nobody watched
   std::map<std::string, double> seconds;        // stage -> time spent
   std::map<std::string, std::string> versions;  // program or library -> version
   std::map<std::string, std::string> options;   // name -> value as used

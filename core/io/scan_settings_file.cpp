@@ -47,6 +47,13 @@ Result<ScanSettings> parseScanSettings(std::string_view text, const std::string&
   settings.camera = textAt(root, "camera");
   settings.camera_mode = textAt(root, "camera_mode");
   if (root.contains("axis")) settings.axis = textAt(root, "axis");
+  // Scans of older versions have neither, and turned as the firmware counts degrees.
+  const ordered_json units = root.value("units_per_turn", ordered_json(360.0));
+  if (!units.is_number() || !(units.get<double>() > 0.0)) {
+    return badSettings(file, "has no usable \"units_per_turn\"");
+  }
+  settings.units_per_turn = units.get<double>();
+  settings.direction = root.value("direction", ordered_json(1)) == -1 ? -1 : 1;
   const ordered_json rig = root.value("sim_rig", ordered_json());
   if (!rig.is_null()) settings.sim_rig_json = rig.dump();
   const ordered_json views = root.value("views", ordered_json());
@@ -83,6 +90,8 @@ Result<std::string> scanSettingsText(const ScanSettings& settings) {
   root["camera"] = withoutPassword(settings.camera);
   root["camera_mode"] = settings.camera_mode;
   root["axis"] = settings.axis;
+  root["units_per_turn"] = settings.units_per_turn;
+  root["direction"] = settings.direction;
   root["views"] = settings.views;
   root["start_angle_rad"] = settings.start_angle_rad;
   if (!rig.empty()) root["sim_rig"] = ordered_json::parse(rig);

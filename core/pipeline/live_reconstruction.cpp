@@ -14,6 +14,7 @@
 #include "core/mesh/point_normals.h"
 #include "core/pipeline/cloud_filter.h"
 #include "core/scan/picture_size.h"
+#include "core/track/drift_monitor.h"
 #include "core/track/empty_table_mask.h"
 #include "core/track/feature_tracker.h"
 #include "core/track/moving_mask.h"
@@ -106,9 +107,11 @@ class LiveReconstruction::Impl {
   SilhouetteRecord silhouettes_;
   std::optional<EmptyTableMask> empty_table_mask_;
   MovingMask moving_mask_;
+  DriftMonitor drift_;
   std::vector<double> table_angles_rad_;
   double mask_seconds_ = 0.0;
   double track_seconds_ = 0.0;
+  double drift_seconds_ = 0.0;
 };
 
 Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& frame,
@@ -122,8 +125,12 @@ Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& frame,
   table_angles_rad_.push_back(frame->table_angle_rad);
   const double masked_s = steadySeconds();
   TrackedFrame tracked = tracker_.addFrame(frame, mask);
+  const double tracked_s = steadySeconds();
+  drift_.addFrame(*frame);
+  tracked.drift = drift_.latest();
   mask_seconds_ += masked_s - start_s;
-  track_seconds_ += steadySeconds() - masked_s;
+  track_seconds_ += tracked_s - masked_s;
+  drift_seconds_ += steadySeconds() - tracked_s;
   return tracked;
 }
 
@@ -215,8 +222,11 @@ Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const 
   if (auto set = setPointNormals(result.cloud, towards_camera, {}, task); !set) return set.error();
   measureResiduals(accepted, result);
   if (coversFullTurn()) result.turn_gap = tracker_.turnGap();
-  result.seconds = {
-      {"mask", mask_seconds_}, {"track", track_seconds_}, {"recover", steadySeconds() - start_s}};
+  result.drift = drift_.report();
+  result.seconds = {{"mask", mask_seconds_},
+                    {"track", track_seconds_},
+                    {"drift", drift_seconds_},
+                    {"recover", steadySeconds() - start_s}};
   task.report(1.0, "Points ready");
   return result;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/scan/drift.h"
 #include "core/scan/point_cloud.h"
 #include "core/track/turn_gap.h"
 
@@ -18,6 +19,7 @@ struct Reconstruction {
   double rms_px = 0.0;           // reprojection error of the accepted observations
   double median_px = 0.0;
   std::optional<TurnGap> turn_gap;        // after a full turn only
+  DriftReport drift;                      // whether camera or table were bumped
   std::map<std::string, double> seconds;  // stage -> time spent
 };
 

@@ -34,6 +34,7 @@ Report completed(Report report, const Reconstruction& reconstruction) {
   }
   report.sigma_mm = sigmaPercentiles(reconstruction.cloud);
   report.seconds.insert(reconstruction.seconds.begin(), reconstruction.seconds.end());
+  report.drift = reconstruction.drift;
   report.versions["OpenCV"] = CV_VERSION;
   return report;
 }

@@ -13,12 +13,14 @@ struct ScanSettings {
   std::string title;
   std::string inventory_number;
   std::string rights;
-  std::string turntable;     // as on the command line: a port, tcp:HOST:PORT, sim[:OBJECT]
-  std::string camera;        // as on the command line, without any password
-  std::string camera_mode;   // as asked for: 1920x1080@MJPG; empty for the camera's own
-  std::string axis = "X";    // letter of the firmware's axis that turns the table
-  std::string sim_rig_json;  // the simulated rig's own settings; empty on real hardware
-  int views = 200;           // over one full turn, evenly
+  std::string turntable;          // as on the command line: a port, tcp:HOST:PORT, sim[:OBJECT]
+  std::string camera;             // as on the command line, without any password
+  std::string camera_mode;        // as asked for: 1920x1080@MJPG; empty for the camera's own
+  double units_per_turn = 360.0;  // what the firmware counts in one turn
+  int direction = 1;              // +1 when its plus is counter-clockwise from above
+  std::string axis = "X";         // letter of the firmware's axis that turns the table
+  std::string sim_rig_json;       // the simulated rig's own settings; empty on real hardware
+  int views = 200;                // over one full turn, evenly
   double start_angle_rad = 0.0;
 };
 

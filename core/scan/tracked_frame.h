@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "core/scan/drift.h"
 #include "core/scan/frame.h"
 
 namespace gyre {
@@ -26,6 +27,7 @@ struct FeatureMark {
 struct TrackedFrame {
   FramePtr frame;
   std::vector<FeatureMark> marks;
+  ViewDrift drift;  // as far as it could be told by then
 };
 
 }  // namespace gyre

@@ -42,7 +42,6 @@ std::uint64_t word(TableLoad load) { return load == TableLoad::kObject ? 1 : 0; 
 // Triangles whose corners' normals all agree with their own: away from creases.
 std::vector<std::uint8_t> smoothTriangles(const Mesh& mesh) {
   std::vector<std::uint8_t> smooth;
-  smooth.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     const auto& va = mesh.vertices[a];
     const auto& vb = mesh.vertices[b];
@@ -81,13 +80,14 @@ const Mesh& meshOf(const PrintedTarget* target) {
 
 }  // namespace
 
-Renderer::Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target)
+Renderer::Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target,
+                   const Calibration& calibration)
     : rig_(rig),
       object_(rig),
       target_(std::move(target)),
       scene_(object_.mesh()),
       target_scene_(meshOf(target_.get())),
-      stage_(rig),
+      stage_(rig, calibration),
       sensor_(rig.blur_sigma_px, rig.noise_sigma, rig.exposure_gain),
       light_in_base_(keyLightInBase(rig)),
       is_smooth_(smoothTriangles(object_.mesh())),
@@ -347,6 +347,7 @@ void Renderer::paintObjectRow(int y, const View& view, const std::vector<Surfel>
 }
 
 Frame Renderer::render(std::int64_t steps, TableLoad load) const {
+  if (bumped_ && isBumped(rig_, steps)) return bumped_->render(steps, load);
   const auto seed = static_cast<std::uint64_t>(rig_.seed);
   const auto step_word = static_cast<std::uint64_t>(steps);
   Random flicker(hashWords({seed, kFlickerUse, step_word, word(load)}));
@@ -375,6 +376,7 @@ Frame Renderer::render(std::int64_t steps, TableLoad load) const {
 }
 
 std::vector<TruePixel> Renderer::truePixels(std::int64_t steps, TableLoad load) const {
+  if (bumped_ && isBumped(rig_, steps)) return bumped_->truePixels(steps, load);
   const View view = viewAt(steps, load);
   const auto width = static_cast<std::size_t>(rig_.image_width_px);
   const auto rows = static_cast<std::size_t>(rig_.image_height_px);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -36,7 +37,10 @@ class Renderer {
  public:
   // The settings must be valid. target: what rig.target names, made with the same settings; it must
   // be given when the object is a target.
-  explicit Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target = nullptr);
+  explicit Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target = nullptr)
+      : Renderer(rig, std::move(target), trueCalibration(rig)) {
+    if (rig.bump_px != 0.0) bumped_.reset(new Renderer(rig, target_, bumpedCalibration(rig)));
+  }
 
   // The picture after so many commanded steps. A function of the rig's settings and the arguments
   // alone, to the bit, whatever the number of threads. Its time, name and view are not set.
@@ -68,6 +72,8 @@ class Renderer {
     std::array<bool, RayPacket::kSize> on_paper{};
   };
 
+  Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target,
+           const Calibration& calibration);
   bool targetIsObject() const { return rig_.object == "target"; }
   View viewAt(std::int64_t steps, TableLoad load) const;
   Hits shoot(const RayPacket& rays, const View& view) const;
@@ -94,6 +100,7 @@ class Renderer {
   std::vector<std::uint8_t>
       is_smooth_;  // per triangle of the object: shade with interpolated normals
   std::vector<std::uint8_t> may_see_object_;  // per pixel, at any angle; or the target
+  std::unique_ptr<const Renderer> bumped_;    // the same rig after a knock; null without one
 };
 
 }  // namespace gyre

@@ -39,6 +39,10 @@ Result<void> RigSettings::validate() const {
     return Error{Error::Code::kInvalidInput, "The simulated rig has no object '" + object + "'.",
                  "Choose one of: " + known + ", target."};
   }
+  if (motor_direction == 0) {
+    return Error{Error::Code::kInvalidInput, "The simulated motor's direction is 0.",
+                 "Use 1 or -1."};
+  }
   if (material != "matte" && material != "glossy") {
     return Error{Error::Code::kInvalidInput,
                  "The simulated rig has no material '" + material + "'.",
@@ -85,9 +89,26 @@ Calibration trueCalibration(const RigSettings& rig) {
   return calibration;
 }
 
+Calibration bumpedCalibration(const RigSettings& rig) {
+  Calibration calibration = trueCalibration(rig);
+  // A camera that turns to its left by an angle sees everything f * angle further right.
+  const double pan_rad = rig.bump_px / rig.focal_px;
+  const Eigen::Matrix3d bumped_from_cam =
+      Eigen::AngleAxisd(pan_rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  calibration.cam_from_table->rotation = bumped_from_cam * calibration.cam_from_table->rotation;
+  calibration.cam_from_table->translation =
+      bumped_from_cam * calibration.cam_from_table->translation;
+  return calibration;
+}
+
+bool isBumped(const RigSettings& rig, std::int64_t steps) {
+  return rig.bump_px != 0.0 &&
+         360.0 * static_cast<double>(steps) >= rig.bump_at_deg * rig.steps_per_turn;
+}
+
 double trueAngleRad(const RigSettings& rig, std::int64_t steps) {
-  const double nominal_rad =
-      kTurn_rad * static_cast<double>(steps) / static_cast<double>(rig.steps_per_turn);
+  const double nominal_rad = rig.motor_direction * kTurn_rad * static_cast<double>(steps) /
+                             static_cast<double>(rig.steps_per_turn);
   return nominal_rad * (1.0 + rig.step_scale_error) + motorErrorRad(rig, steps, nominal_rad) -
          motorErrorRad(rig, 0, 0.0);
 }

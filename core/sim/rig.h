@@ -52,8 +52,13 @@ struct RigSettings {
   double noise_sigma = 2.0;    // grey levels of 255, in each channel
   double blur_sigma_px = 0.8;
 
+  double bump_px = 0.0;        // somebody knocks the camera aside: the picture moves by so much
+  double bump_at_deg = 180.0;  // from where on the table, as commanded, it stays knocked aside
+
   int steps_per_turn = 3200;
-  double step_scale_error = 0.0;  // relative: 0.001 turns 360.36 deg for 360
+  double firmware_steps_per_turn = 0.0;  // what its board believes; 0 = the truth
+  int motor_direction = 1;               // -1: wired so that plus turns the table clockwise
+  double step_scale_error = 0.0;         // relative: 0.001 turns 360.36 deg for 360
   double white_error_deg = 0.02;
   double once_per_turn_error_deg = 0.05;  // amplitude; the seed chooses the phase
 
@@ -70,6 +75,10 @@ RigSettings atImageWidth(RigSettings rig, int width_px);
 
 // The camera as it truly is; the table's x axis points towards it at angle 0.
 Calibration trueCalibration(const RigSettings& rig);
+
+// The camera of trueCalibration() once it has been knocked aside by bump_px, about its own centre.
+Calibration bumpedCalibration(const RigSettings& rig);
+bool isBumped(const RigSettings& rig, std::int64_t steps);
 
 // Where the table truly stands after so many commanded steps; exactly 0 at 0 steps, because the
 // first picture defines the table frame. Nominal angle, scaled, with a once-per-turn and a white
@@ -129,7 +138,13 @@ void RigSettings::describe(V& visit) {
   visit({"exposure-gain", "", 0.01, 100, "How much brighter the pictures are."}, exposure_gain);
   visit({"noise-sigma", "", 0, 50, "Noise of the sensor in grey levels."}, noise_sigma);
   visit({"blur-sigma", "px", 0, 5, "Blur of the lens."}, blur_sigma_px);
+  visit({"bump", "px", -100, 100, "How far somebody knocks the picture aside."}, bump_px);
+  visit({"bump-at", "deg", -36000, 36000, "Where the table then stands."}, bump_at_deg);
   visit({"steps-per-turn", "", 8, 10000000, "Motor steps a turn."}, steps_per_turn);
+  visit({"firmware-steps-per-turn", "", 0, 10000000, "What the board is set up for; 0: the truth."},
+        firmware_steps_per_turn);
+  visit({"motor-direction", "", -1, 1, "-1 when the motor turns the other way round."},
+        motor_direction);
   visit({"step-scale-error", "", -0.2, 0.2, "How much too far the motor turns."}, step_scale_error);
   visit({"white-error", "deg", 0, 5, "Random error of each position."}, white_error_deg);
   visit({"once-per-turn-error", "deg", 0, 5, "Error that comes back with each turn."},

@@ -24,14 +24,13 @@ const std::array<Eigen::Vector2d, 4> kSubPixels = {
 
 }  // namespace
 
-Stage::Stage(const RigSettings& rig)
+Stage::Stage(const RigSettings& rig, const Calibration& calibration)
     : width_px_(rig.image_width_px),
       platter_texture_(hashWords({static_cast<std::uint64_t>(rig.seed), kPlatterUse}),
                        2.2 * rig.texture_finest_mm, std::max(16.0, 5.0 * rig.texture_finest_mm)),
       platter_light_(static_cast<float>(rig.ambient_light +
                                         rig.key_light * std::max(0.0, keyLightInBase(rig).z()))) {
-  const Calibration truth = trueCalibration(rig);
-  const Rigid3 base_from_cam = truth.cam_from_table->inverse();
+  const Rigid3 base_from_cam = calibration.cam_from_table->inverse();
   camera_in_base_ = base_from_cam.translation;
   const auto pixels =
       static_cast<std::size_t>(rig.image_width_px) * static_cast<std::size_t>(rig.image_height_px);
@@ -43,14 +42,15 @@ Stage::Stage(const RigSettings& rig)
   const auto cast_pixel = [&](int x, int y) {
     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px_) +
                               static_cast<std::size_t>(x);
-    const Eigen::Vector2d normalized = truth.camera.normalizedFromPixel({x, y});
+    const Eigen::Vector2d normalized = calibration.camera.normalizedFromPixel({x, y});
     const Eigen::Vector3d centre = base_from_cam.rotation * normalized.homogeneous();
     direction_[pixel] = centre.cast<float>();
     if (const auto at = meetHorizontalPlane({camera_in_base_, centre}, 0.0)) {
       platter_point_in_base_[pixel] = at->head<2>().cast<float>();
     }
     const Eigen::Matrix<double, 3, 2> direction_per_px =
-        base_from_cam.rotation.leftCols<2>() * truth.camera.pixelJacobian(normalized).inverse();
+        base_from_cam.rotation.leftCols<2>() *
+        calibration.camera.pixelJacobian(normalized).inverse();
     int on_platter = 0;
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (const Eigen::Vector2d& offset_px : kSubPixels) {

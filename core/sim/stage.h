@@ -16,7 +16,8 @@ namespace gyre {
 // Immutable: any thread may paint.
 class Stage {
  public:
-  explicit Stage(const RigSettings& rig);
+  // calibration: where the camera stands, which a bump changes.
+  Stage(const RigSettings& rig, const Calibration& calibration);
 
   // Direction of a pixel's ray in the base frame, unit along the optical axis.
   const Eigen::Vector3f& direction(std::size_t pixel) const { return direction_[pixel]; }

@@ -273,7 +273,8 @@ void FeatureTracker::Impl::detect(const FramePtr& frame, const GreyPyramid& now,
 }
 
 TrackedFrame FeatureTracker::Impl::marks(const FramePtr& frame) const {
-  TrackedFrame tracked{frame, {}};
+  TrackedFrame tracked;
+  tracked.frame = frame;
   tracked.marks.reserve(active_.size());
   for (const ActiveTrack& going_on : active_) {
     const MeasuredTrack& active = going_on.measured;

@@ -163,5 +163,25 @@ TEST_F(Commands, CompareWritesItsNumbers) {
   EXPECT_EQ(numbers.at("at_mm")[1].at("completeness"), 1.0);
 }
 
+TEST_F(Commands, ScanTellsAtWhichViewTheCameraWasBumped) {
+  RigSettings rig = atImageWidth(RigSettings{}, 640);
+  rig.bump_px = 2.0;
+  rig.bump_at_deg = 180.0;
+  putFile(temp_ / "bumped.json", rigToJson(rig));
+  const Answer answer =
+      gyre({"scan", "--turntable", "sim", "--camera", "sim", "--rig", at("bumped.json"), "--views",
+            "24", "--sim-speed", "100", "--out", at("bumped")});
+  EXPECT_THAT(answer.err, HasSubstr("bumped")) << answer.out;
+  EXPECT_THAT(answer.err, HasSubstr("from view 13 on"));
+  const auto report = nlohmann::json::parse(fileText(temp_ / "bumped" / "report.json"));
+  const auto& views = report.at("drift").at("views");
+  ASSERT_EQ(views.size(), 24U);
+  for (std::size_t i = 1; i < views.size(); ++i) {
+    EXPECT_EQ(views[i].at("moved"), i >= 12) << i;
+    ASSERT_TRUE(views[i].at("px").is_number()) << i;
+    EXPECT_NEAR(views[i].at("px").get<double>(), i >= 12 ? 2.0 : 0.0, 0.1) << i;
+  }
+}
+
 }  // namespace
 }  // namespace gyre

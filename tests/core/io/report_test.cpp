@@ -36,6 +36,8 @@ Report sampleReport() {
   report.sigma_mm = SigmaPercentiles{0.01, 0.02, 0.05};
   report.versions = {{"gyre", "0.1.0"}};
   report.options = {{"window", "21"}};
+  report.drift.views = {{0, true, 0.02, 0.01, false}, {1, false}, {2, true, 1.5, 0.02, true}};
+  report.drift.sentence = "It was bumped.";
   report.inputs = {{"calibration", "rig.json"}};
   return report;
 }
@@ -53,11 +55,26 @@ TEST(SigmaPercentiles, AreThoseOfThePoints) {
 TEST(ReportJson, HoldsEveryPublishedKey) {
   const std::string json = reportJson(sampleReport());
   EXPECT_TRUE(checkJson(json, "f"));
-  for (const char* key :
-       {"\"points\": 5123", "\"observations\": 70000", "\"rms_px\": 0.31", "\"median_px\": 0.2",
-        "\"closure_px\": null", "\"closure_mm\": null", "\"seconds\": {", "\"track\": 12.5",
-        "\"sigma_mm\": {", "\"p05\": 0.01", "\"p50\": 0.02", "\"p95\": 0.05", "\"versions\": {",
-        "\"options\": {", "\"inputs\": {", "\"calibration\": \"rig.json\""}) {
+  for (const char* key : {"\"points\": 5123",
+                          "\"observations\": 70000",
+                          "\"rms_px\": 0.31",
+                          "\"median_px\": 0.2",
+                          "\"closure_px\": null",
+                          "\"closure_mm\": null",
+                          "\"seconds\": {",
+                          "\"track\": 12.5",
+                          "\"sigma_mm\": {",
+                          "\"p05\": 0.01",
+                          "\"p50\": 0.02",
+                          "\"p95\": 0.05",
+                          "\"versions\": {",
+                          "\"drift\": {",
+                          "\"sentence\": \"It was bumped.\"",
+                          "\"px\": 1.5",
+                          "\"px\": null",
+                          "\"options\": {",
+                          "\"inputs\": {",
+                          "\"calibration\": \"rig.json\""}) {
     EXPECT_THAT(json, HasSubstr(key));
   }
 }

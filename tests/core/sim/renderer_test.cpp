@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 #include <oneapi/tbb/global_control.h>
 
 #include "core/geometry/turntable_pose.h"
@@ -196,6 +197,28 @@ TEST(Renderer, EmptyTableShowsNoObject) {
   for (const TruePixel& pixel : smallRenderer().truePixels(0, TableLoad::kEmpty)) {
     ASSERT_NE(pixel.surface, Surface::kObject);
   }
+}
+
+// How far the background of two pictures differs, in grey levels, when one is moved by whole
+// pixels.
+double differenceWhenMoved(const Frame& before, const Frame& after, int right_px) {
+  const cv::Rect corner(20, 10, 60, 40);  // above the platter
+  return cv::norm(before.image_bgr(corner), after.image_bgr(corner + cv::Point(right_px, 0)),
+                  cv::NORM_L1) /
+         (3.0 * static_cast<double>(corner.area()));
+}
+
+TEST(Renderer, AKnockMovesThePictureFromItsAngleOn) {
+  RigSettings knocked = quietRenderer().rig();
+  knocked.bump_px = 3.0;
+  knocked.bump_at_deg = 90.0;
+  const Renderer renderer(knocked);
+  const int quarter = knocked.steps_per_turn / 4;
+  EXPECT_TRUE(samePictures(renderer.render(quarter - 1, TableLoad::kObject),
+                           quietRenderer().render(quarter - 1, TableLoad::kObject)));
+  const Frame still = quietRenderer().render(quarter, TableLoad::kObject);
+  const Frame moved = renderer.render(quarter, TableLoad::kObject);
+  EXPECT_LT(differenceWhenMoved(still, moved, 3), 0.3 * differenceWhenMoved(still, moved, 0));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 TEST(Stage, RaysAreTheCamerasOwn) {
   RigSettings rig = atImageWidth({}, 160);
   rig.k1 = -0.3;
-  const Stage stage(rig);
+  const Stage stage(rig, trueCalibration(rig));
   const Calibration truth = trueCalibration(rig);
   for (const auto& [x, y] : {std::pair{0, 0}, {159, 119}, {80, 60}, {20, 100}}) {
     const std::size_t pixel = static_cast<std::size_t>(y) * 160 + static_cast<std::size_t>(x);
@@ -25,7 +25,7 @@ TEST(Stage, RaysAreTheCamerasOwn) {
 
 TEST(Stage, PlatterCoversTheDiscOfItsRadius) {
   const RigSettings rig = atImageWidth({}, 160);
-  const Stage stage(rig);
+  const Stage stage(rig, trueCalibration(rig));
   double covered = 0.0;
   int expected = 0;
   for (std::size_t i = 0; i < 160 * 120; ++i) {
@@ -41,13 +41,13 @@ TEST(Stage, PlatterCoversTheDiscOfItsRadius) {
 TEST(Stage, CameraBelowSeesNoPlatterTop) {
   RigSettings rig = atImageWidth({}, 160);
   rig.camera_elevation_deg = -40.0;
-  const Stage stage(rig);
+  const Stage stage(rig, trueCalibration(rig));
   for (std::size_t i = 0; i < 160 * 120; ++i) ASSERT_EQ(stage.platterCoverage(i), 0.0F);
 }
 
 TEST(Stage, BrightnessActsOnTheBackgroundOnly) {
   const RigSettings rig = atImageWidth({}, 160);
-  const Stage stage(rig);
+  const Stage stage(rig, trueCalibration(rig));
   LightImage normal(160, 120);
   LightImage bright(160, 120);
   for (int y = 0; y < 120; ++y) {

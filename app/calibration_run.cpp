@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/calibration_run.h"
+
+#include <array>
+#include <charconv>
+#include <ctime>
+#include <utility>
+
+#include "app/sim_target.h"
+#include "core/calib/calibrate_hand_held.h"
+#include "core/calib/ruler_scale.h"
+#include "core/io/calibration_file.h"
+#include "core/io/frame_folder.h"
+#include "core/io/picture_file.h"
+#include "core/io/points_file.h"
+#include "core/pipeline/target_finder.h"
+
+namespace gyre {
+namespace {
+
+// A caliper shows hundredths; marks of ink are a tenth wide, and are met to half of that.
+constexpr double kCaliperSigma_mm = 0.05;
+
+// "1280x960"; nothing for an empty text.
+Result<std::optional<Eigen::Vector2i>> imageSizeIn(const std::string& text) {
+  if (text.empty()) return std::optional<Eigen::Vector2i>();
+  Eigen::Vector2i size;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.x());
+  if (width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x') {
+    const auto height = std::from_chars(width.ptr + 1, end, size.y());
+    if (height.ec == std::errc{} && height.ptr == end && size.minCoeff() > 0) {
+      return std::optional<Eigen::Vector2i>(size);
+    }
+  }
+  return Error{Error::Code::kInvalidInput, "\"" + text + "\" is not the size of a picture.",
+               "Write width x height in pixels, such as --image-size 1280x960."};
+}
+
+Result<Target> targetAtSize(const CalibrationWords& words) {
+  auto target = findTarget(words.target);
+  if (!target || !words.ruler_right_mm || !words.ruler_down_mm) return target;
+  RulerReading reading;
+  reading.right_mm = *words.ruler_right_mm;
+  reading.down_mm = *words.ruler_down_mm;
+  return scaledByRulers(*target, reading);
+}
+
+// A target without corners is a set of markers glued around the platter; one without page axes was
+// not folded from paper.
+TargetShape shapeOf(const Target& target) {
+  if (target.corners.empty()) return TargetShape::kLooseMarkers;
+  return target.page_axes.empty() ? TargetShape::kExact : TargetShape::kFreeFaces;
+}
+
+}  // namespace
+
+Result<CalibrationSetup> calibrationSetup(const CalibrationWords& words) {
+  auto target = targetAtSize(words);
+  if (!target) return target.error();
+  CalibrationSetup setup;
+  RigBundleOptions& bundle = setup.options.bundle;
+  bundle.shape = shapeOf(*target);
+  bundle.object_size_mm = words.object_size_mm;
+  bundle.object_middle_in_table = {0.0, 0.0, 0.5 * words.object_size_mm};
+  if (words.ruler_right_mm) bundle.caliper_sigma_mm = kCaliperSigma_mm;
+  if (!words.intrinsics.empty()) {
+    const auto known = readCalibration(words.intrinsics);
+    if (!known) return known.error();
+    bundle.fixed_camera = known->camera;
+  }
+  setup.target = soughtTarget(*target);
+  return setup;
+}
+
+Result<CalibrationRecord> calibrateFromPointsFile(const std::filesystem::path& file,
+                                                  const std::string& image_size, PointsMode mode,
+                                                  const Task& task) {
+  const auto size = imageSizeIn(image_size);
+  if (!size) return size.error();
+  const auto points = readPoints(file);
+  if (!points) return points.error();
+  PointsOptions options;
+  options.image_size_px = *size;
+  options.mode = mode;
+  auto calibrated = calibratePoints(*points, options, task);
+  if (!calibrated) return calibrated.error();
+  CalibrationRecord record;
+  record.calibration = std::move(calibrated->calibration);
+  record.report = std::move(calibrated->report);
+  record.date = nowUtcText();
+  record.target = file.filename().string();
+  return record;
+}
+
+Result<CalibrationRecord> calibrateHandHeldSet(const std::filesystem::path& folder,
+                                               const CalibrationWords& words,
+                                               const CalibrationWatcher& watcher,
+                                               const Task& task) {
+  const auto target = targetAtSize(words);
+  if (!target) return target.error();
+  const auto pictures = openCalibrationPictures(folder, {});
+  if (!pictures) return pictures.error();
+  const auto size = commonSize(pictures->files);
+  if (!size) return size.error();
+  const auto sighted =
+      sightPictures(*pictures, soughtTarget(*target), watcher, task.part(0.0, 0.8));
+  if (!sighted) return sighted.error();
+  auto calibrated = calibrateHandHeld(*target, sighted->views, {size->width_px, size->height_px},
+                                      {}, task.part(0.8, 1.0));
+  if (!calibrated) return calibrated.error();
+  CalibrationRecord record;
+  record.calibration = std::move(calibrated->calibration);
+  record.report = std::move(calibrated->report);
+  record.date = nowUtcText();
+  record.target = target->name;
+  return record;
+}
+
+std::filesystem::path referenceFor(const std::filesystem::path& calibration_file) {
+  std::filesystem::path picture = calibration_file;
+  return picture.replace_extension(".png");
+}
+
+Result<void> keepReference(const std::filesystem::path& calibration_file,
+                           const CalibrationOutcome& outcome) {
+  if (!outcome.reference) return {};
+  return writePicture(referenceFor(calibration_file), outcome.reference->image_bgr);
+}
+
+std::string nowUtcText() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
+}  // namespace gyre

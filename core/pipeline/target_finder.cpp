@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/target_finder.h"
+
+#include <memory>
+#include <utility>
+
+#include "core/calib/find_target.h"
+
+namespace gyre {
+
+SoughtTarget soughtTarget(const Target& target) {
+  SoughtTarget sought;
+  sought.target = target;
+  const auto options = std::make_shared<FindTargetOptions>();
+  sought.find = [target, options](const cv::Mat& image_bgr) -> Result<TargetView> {
+    auto found = findTarget(image_bgr, target, *options);
+    if (!found) return found.error();
+    if (found->cam_from_target) {
+      options->expected_cam_from_target = found->cam_from_target;
+      options->camera = found->camera;
+    }
+    return std::move(found->view);
+  };
+  return sought;
+}
+
+}  // namespace gyre
