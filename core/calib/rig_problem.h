@@ -28,7 +28,7 @@ struct RigSighting {
 
 // What does not change while solving.
 struct RigScene {
-  std::vector<TargetFace> faces;     // the last holds what belongs to none, and never moves
+  std::vector<TargetPiece> faces;    // the last holds what belongs to none, and never moves
   std::vector<FacePoint> points;     // one a point of the target
   std::vector<std::size_t> face_of;  // one a point
   std::vector<RigSighting> sightings;

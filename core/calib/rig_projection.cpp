@@ -40,7 +40,7 @@ Eigen::Matrix<double, 2, kCameraSize> cameraJacobian(const CameraModel& camera,
 }
 
 // The largest distances from the middle along the sheet's two directions.
-void measure(const std::vector<TargetPoint>& points, TargetFace& face) {
+void measure(const std::vector<TargetPoint>& points, TargetPiece& face) {
   double along = 0.0;
   double across = 0.0;
   for (const int index : face.points) {
@@ -54,7 +54,7 @@ void measure(const std::vector<TargetPoint>& points, TargetFace& face) {
 }
 
 // Middle, directions and size from the points; the frame's own directions when they span no plane.
-void fitPlane(const std::vector<TargetPoint>& points, TargetFace& face) {
+void fitPlane(const std::vector<TargetPoint>& points, TargetPiece& face) {
   const auto at = [&](int index) -> const Eigen::Vector3d& {
     return points[static_cast<std::size_t>(index)].position_in_target;
   };
@@ -76,7 +76,7 @@ void fitPlane(const std::vector<TargetPoint>& points, TargetFace& face) {
 }
 
 // So that a bow is positive where the sheet bulges: away from the target's midst, or up when flat.
-void turnOutwards(const Eigen::Vector3d& midst, TargetFace& face) {
+void turnOutwards(const Eigen::Vector3d& midst, TargetPiece& face) {
   const double out_mm = face.normal.dot(face.middle - midst);
   const double side = std::abs(out_mm) > 1e-6 ? out_mm : face.normal.z();
   if (side >= 0.0) return;
@@ -106,9 +106,9 @@ CameraModel cameraFrom(const CameraVector& vector, CameraModel base) {
   return base;
 }
 
-std::vector<TargetFace> facesOf(const Target& target) {
+std::vector<TargetPiece> facePiecesOf(const Target& target) {
   const std::vector<TargetPoint> points = pointsOf(target);
-  std::vector<TargetFace> faces(target.faces.size());
+  std::vector<TargetPiece> faces(target.faces.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].face < 0) continue;
     faces[static_cast<std::size_t>(points[i].face)].points.push_back(static_cast<int>(i));
@@ -116,7 +116,7 @@ std::vector<TargetFace> facesOf(const Target& target) {
   Eigen::Vector3d midst = Eigen::Vector3d::Zero();
   for (const TargetPoint& point : points) midst += point.position_in_target;
   midst /= std::max<double>(1.0, static_cast<double>(points.size()));
-  for (TargetFace& face : faces) {
+  for (TargetPiece& face : faces) {
     if (face.points.empty()) continue;
     fitPlane(points, face);
     turnOutwards(midst, face);
@@ -124,11 +124,11 @@ std::vector<TargetFace> facesOf(const Target& target) {
   return faces;
 }
 
-std::vector<TargetFace> loosePiecesOf(const Target& target) {
+std::vector<TargetPiece> loosePiecesOf(const Target& target) {
   const std::vector<TargetPoint> points = pointsOf(target);
-  std::vector<TargetFace> pieces;
+  std::vector<TargetPiece> pieces;
   for (std::size_t marker = 0; marker < target.markers.size(); ++marker) {
-    TargetFace piece;
+    TargetPiece piece;
     for (std::size_t corner = 0; corner < 4; ++corner) {
       piece.points.push_back(static_cast<int>(target.corners.size() + 4 * marker + corner));
     }
@@ -138,7 +138,7 @@ std::vector<TargetFace> loosePiecesOf(const Target& target) {
   return pieces;
 }
 
-FacePoint facePoint(const Target& target, const TargetFace& face, int face_index,
+FacePoint facePoint(const Target& target, const TargetPiece& face, int face_index,
                     const Eigen::Vector3d& position_in_target) {
   FacePoint point;
   point.position_in_target = position_in_target;

@@ -27,7 +27,7 @@ CameraVector cameraVector(const CameraModel& camera);
 CameraModel cameraFrom(const CameraVector& vector, CameraModel base);
 
 // A sheet of the target, or one of its loose markers: what moves as one piece.
-struct TargetFace {
+struct TargetPiece {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // all in the target frame, mm
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d along = Eigen::Vector3d::UnitX();   // unit vectors within the sheet
@@ -39,9 +39,9 @@ struct TargetFace {
 
 // The target's faces; pieces that are no plane get the middle of their points and the frame's axes.
 // Points of no face are in none.
-std::vector<TargetFace> facesOf(const Target& target);
+std::vector<TargetPiece> facePiecesOf(const Target& target);
 // Each marker by itself, as if it lay alone.
-std::vector<TargetFace> loosePiecesOf(const Target& target);
+std::vector<TargetPiece> loosePiecesOf(const Target& target);
 
 // One point of the target as the bundle sees it.
 struct FacePoint {
@@ -51,7 +51,7 @@ struct FacePoint {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   Eigen::Vector3d bow = Eigen::Vector3d::Zero();  // weights of the three bow parameters
 };
-FacePoint facePoint(const Target& target, const TargetFace& face, int face_index,
+FacePoint facePoint(const Target& target, const TargetPiece& face, int face_index,
                     const Eigen::Vector3d& position_in_target);
 
 // Where everything is. Small corrections act on these, so that they are zero when solved anew.

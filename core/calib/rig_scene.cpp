@@ -8,7 +8,7 @@ namespace gyre {
 
 RigScene sceneOf(std::span<const TargetView> views, const Target& target, TargetShape shape) {
   RigScene scene;
-  if (shape == TargetShape::kFreeFaces) scene.faces = facesOf(target);
+  if (shape == TargetShape::kFreeFaces) scene.faces = facePiecesOf(target);
   if (shape == TargetShape::kLooseMarkers) scene.faces = loosePiecesOf(target);
   const std::vector<TargetPoint> points = pointsOf(target);
   scene.face_of.assign(points.size(), scene.faces.size());
@@ -19,7 +19,7 @@ RigScene sceneOf(std::span<const TargetView> views, const Target& target, Target
   }
   scene.faces.emplace_back();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const TargetFace& face = scene.faces[scene.face_of[i]];
+    const TargetPiece& face = scene.faces[scene.face_of[i]];
     FacePoint point = facePoint(target, face, points[i].face, points[i].position_in_target);
     if (scene.face_of[i] + 1 == scene.faces.size()) point.bow.setZero();
     scene.points.push_back(point);

@@ -170,7 +170,7 @@ Eigen::Vector3d turnOf(const Eigen::Matrix3d& rotation) {
 
 // Puts the loose piece where the place says: exp(turn) (x - middle) + middle + shift.
 Eigen::Matrix<double, kFaceSize, 1> faceAt(const Rigid3& table_from_piece,
-                                           const TargetFace& piece) {
+                                           const TargetPiece& piece) {
   Eigen::Matrix<double, kFaceSize, 1> face = Eigen::Matrix<double, kFaceSize, 1>::Zero();
   face.head<3>() = turnOf(table_from_piece.rotation);
   face.segment<3>(3) = table_from_piece * piece.middle - piece.middle;

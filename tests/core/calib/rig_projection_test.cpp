@@ -86,7 +86,7 @@ TEST(FacesOf, LookOutwards) {
   target.corners = {{0, {0, 0, 10}}, {1, {10, 0, 10}}, {2, {0, 10, 10}},
                     {3, {0, 0, 0}},  {4, {10, 0, 0}},  {5, {0, 10, 0}}};
   target.faces = {{0, 2, 1}, {3, 4, 5}};
-  const std::vector<TargetFace> faces = facesOf(target);
+  const std::vector<TargetPiece> faces = facePiecesOf(target);
   EXPECT_NEAR(faces[0].normal.z(), 1.0, 1e-12);
   EXPECT_NEAR(faces[1].normal.z(), -1.0, 1e-12);
 }
