@@ -31,6 +31,7 @@ double median(std::vector<double> values) {
 double spread(const std::vector<double>& values) {
   const double middle = median(values);
   std::vector<double> off;
+  off.reserve(values.size());
   for (const double value : values) off.push_back(std::abs(value - middle));
   return kNormal * median(off);
 }
@@ -75,6 +76,7 @@ std::vector<bool> oddSteps(const std::vector<double>& angles_rad, const std::vec
   const double middle = median(off);
   const double limit = std::max(options.jump_sigma * spread(off), 2.0 * options.least_rad);
   std::vector<bool> odd;
+  odd.reserve(off.size());
   for (const double step : off) odd.push_back(std::abs(step - middle) > limit);
   return odd;
 }
@@ -202,6 +204,7 @@ AnglePattern anglePatternOf(const std::vector<double>& angles_rad,
   const double scale = robustScale(angles_rad, told);
   const std::vector<bool> odd = oddSteps(angles_rad, told, scale, options);
   std::vector<double> regular_rad;
+  regular_rad.reserve(told.size());
   for (const double angle : told) regular_rad.push_back(scale * angle);
   pattern.jumps = jumpsOf(angles_rad, regular_rad, odd);
 

@@ -44,6 +44,7 @@ double median(std::vector<double> values) {
 std::vector<double> weightsFor(const std::vector<double>& residuals) {
   const double scale = std::max(2.0 * median(residuals), kLeastScale);
   std::vector<double> weights;
+  weights.reserve(residuals.size());
   for (const double residual : residuals) {
     weights.push_back(1.0 / (1.0 + residual * residual / (scale * scale)));
   }
@@ -61,6 +62,7 @@ Eigen::Vector3d directionOf(const std::vector<Motion>& motions) {
     }
     direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(0);
     std::vector<double> residuals;
+    residuals.reserve(motions.size());
     for (const Motion& motion : motions) {
       residuals.push_back((motion.turn * direction - direction).norm());
     }
@@ -82,6 +84,7 @@ Eigen::Vector3d pointOn(const Eigen::Vector3d& direction, const std::vector<Moti
     }
     point = normal.ldlt().solve(right);
     std::vector<double> residuals;
+    residuals.reserve(motions.size());
     for (const Motion& motion : motions) {
       residuals.push_back((point - motion.turn * point - motion.shift).norm());
     }

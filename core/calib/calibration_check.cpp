@@ -100,6 +100,7 @@ double rmsOf(const Eigen::Matrix3Xd& off) {
 double leaveOutliers(RigScene& scene, const RigState& state) {
   const std::vector<Eigen::Vector2d> residuals = residualsOf(scene, state);
   std::vector<double> off;
+  off.reserve(residuals.size());
   for (const Eigen::Vector2d& residual : residuals) off.push_back(residual.norm());
   std::vector<double> sorted = off;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);

@@ -29,6 +29,7 @@ double median(std::vector<double> values) {
 
 std::vector<double> withinTurn(const std::vector<double>& angles_rad) {
   std::vector<double> sorted;
+  sorted.reserve(angles_rad.size());
   for (const double angle : angles_rad) {
     sorted.push_back(angle - kTurn_rad * std::floor(angle / kTurn_rad));
   }

@@ -55,6 +55,7 @@ Eigen::Vector3d shortestStep(const std::vector<Eigen::Vector3d>& positions) {
 // The least difference between two coordinates that is not just inaccuracy.
 double pitchOf(const std::vector<TargetFace::Corner>& corners, int axis, double least_mm) {
   std::vector<double> sorted;
+  sorted.reserve(corners.size());
   for (const auto& corner : corners) sorted.push_back(corner.place_mm[axis]);
   std::sort(sorted.begin(), sorted.end());
   double pitch_mm = std::numeric_limits<double>::max();
