@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QTimer>
 
+#include "app/calibration_wiring.h"
 #include "core/device/discovery.h"
 #include "core/scan/point_cloud.h"
 #include "ui/banner.h"
@@ -43,12 +44,14 @@ QString devicesSentence(const Listed& listed) {
 
 }  // namespace
 
-Workbench::Workbench(const RigOptions& rig) : controller_(rig), small_jobs_("gyre-small") {
+Workbench::Workbench(const RigOptions& rig)
+    : controller_(rig), calibrations_(controller_.devices()), small_jobs_("gyre-small") {
   wireStart();
   wireDevices();
   wireScan();
   wireResults();
   wireFacts();
+  wireCalibration(*window_.work_page, calibrations_, controller_);
   listDevices();
   showSteps();
 }
@@ -201,6 +204,8 @@ void Workbench::wireFacts() {
             page->scene_view->showCalibration(calibration);
             showSteps();
           });
+  connect(&controller_, &ScanController::calibrationJudged, page->calibration_panel,
+          &CalibrationPanel::showQuality);
   connect(&controller_, &ScanController::failed, this, [this](const Error& error) {
     window_.work_page->banner->showError(error);
     window_.log_panel->addLine(QString::fromStdString(error.sentence()));

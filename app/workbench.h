@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include "app/calibration_controller.h"
 #include "app/job_runner.h"
 #include "app/scan_controller.h"
 #include "app/settings.h"
@@ -20,6 +21,7 @@ class Workbench final : public QObject {
 
   MainWindow& window() { return window_; }
   ScanController& controller() { return controller_; }
+  CalibrationController& calibrations() { return calibrations_; }
 
   // A whole scan on the simulated rig: connects, looks at the empty table, scans.
   void runDemo(const QString& object, int views, const QString& folder);
@@ -41,6 +43,7 @@ class Workbench final : public QObject {
   Settings settings_;
   MainWindow window_;
   ScanController controller_;
+  CalibrationController calibrations_;
   JobRunner small_jobs_;  // lists devices, writes thumbnails
   QString device_id_;
   QString title_;

@@ -185,7 +185,7 @@ void DevicePanel::showPorts(const std::vector<PortInfo>& ports) {
     addChoice(*turntable_, pathText(port.path, port.description), QString::fromStdString(port.path),
               QString::fromStdString(port.hindrance));
   }
-  for (const char* object : {"duck", "mouse", "cube", "vase", "bowl", "plain"}) {
+  for (const char* object : {"duck", "mouse", "cube", "vase", "bowl", "plain", "target"}) {
     addChoice(*turntable_, tr("Simulated turntable: %1").arg(object), QString("sim:%1").arg(object),
               QString());
   }

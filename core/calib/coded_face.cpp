@@ -188,7 +188,7 @@ void completeFace(const TargetPicture& picture, const TargetFace& face, FaceSear
 
 void dropStrays(const TargetFace& face, FaceSearch& search) {
   constexpr double kLeast_px = 0.25;
-  constexpr double kLeastOfSquare = 0.02;  // below, it is the paper's waves and the lens' bending
+  constexpr double kLeastOfSquare = 0.03;  // below, it is the paper's waves and the lens' bending
   constexpr std::size_t kNeighbours = 12;
   while (!search.sightings.empty()) {
     const std::vector<PlaneSighting> places = placesOf(face, search);

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/calibration_controller.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <QDateTime>
+
+#include "app/print_target.h"
+#include "core/calib/find_target.h"
+#include "core/calib/ruler_scale.h"
+#include "core/calib/standard_targets.h"
+#include "core/io/calibration_record_file.h"
+#include "core/io/target_file.h"
+#include "core/pipeline/check_before_scan.h"
+#include "core/pipeline/exposure.h"
+#include "core/pipeline/sharpness.h"
+#include "core/pipeline/target_finder.h"
+
+namespace gyre {
+namespace {
+
+constexpr double kCaliperSigma_mm = 0.05;  // what a household caliper and a steady hand come to
+// A face tells something from so many of its points on.
+constexpr int kFewestPoints = 8;
+constexpr double kFewestShare = 0.5;
+
+Result<Target> readChosen(const TargetChoice& choice) {
+  const std::string word = choice.word.toStdString();
+  if (word.ends_with(".json")) return readTarget(word);
+  auto standard = standardTarget(word);
+  if (!standard) return standard.error();
+  return std::move(standard->target);
+}
+
+Result<Target> asPrinted(const TargetChoice& choice) {
+  auto target = readChosen(choice);
+  if (!target || !choice.ruler_right_mm || !choice.ruler_down_mm) return target;
+  return scaledByRulers(*target, {*choice.ruler_right_mm, *choice.ruler_down_mm});
+}
+
+TargetSight sightOf(const Target& target, const FoundTarget& found) {
+  TargetSight sight;
+  sight.faces.resize(target.faces.size());
+  for (const FaceFinding& finding : found.faces) {
+    if (finding.face < 0) continue;
+    const bool passes =
+        finding.seen >= kFewestPoints && finding.seen >= kFewestShare * finding.expected;
+    sight.faces.at(static_cast<std::size_t>(finding.face)) = {finding.seen, finding.expected,
+                                                              passes};
+  }
+  const auto points = pointsOf(target);
+  for (FaceSight& face : sight.faces) {
+    if (face.points > 0) continue;
+    const auto index = static_cast<int>(&face - sight.faces.data());
+    face.points = static_cast<int>(std::count_if(
+        points.begin(), points.end(),
+        [index](const TargetPoint& point) { return point.face == index && point.corner_id >= 0; }));
+  }
+  for (const PointSighting& seen : found.view.sightings) {
+    sight.found_px.emplace_back(seen.pixel.cast<float>());
+  }
+  sight.passes =
+      target.faces.empty() || std::any_of(sight.faces.begin(), sight.faces.end(),
+                                          [](const FaceSight& face) { return face.passes; });
+  sight.sentence = sight.passes ? "The target is seen."
+                                : "No face of the target is seen well enough: turn it towards the "
+                                  "camera, or bring the camera nearer.";
+  return sight;
+}
+
+TargetSight sightIn(const cv::Mat& image_bgr, const Target& target, const Task& task) {
+  const auto found = findTarget(image_bgr, target, {}, task);
+  if (found) return sightOf(target, *found);
+  TargetSight sight;
+  sight.sentence = found.error().sentence();
+  return sight;
+}
+
+QString focusAdvice(const Exposure& exposure) {
+  constexpr double kTooMuch = 0.05;
+  if (exposure.too_bright > kTooMuch) {
+    return CalibrationController::tr(
+        "White areas hold no detail: dim the light or expose shorter.");
+  }
+  if (exposure.too_dark > kTooMuch) {
+    return CalibrationController::tr("Black areas hold no detail: add light or expose longer.");
+  }
+  return {};
+}
+
+}  // namespace
+
+struct CalibrationController::Chosen {
+  TargetChoice choice;
+  Target target;
+};
+
+CalibrationController::CalibrationController(DeviceSession& devices, QObject* parent)
+    : QObject(parent), devices_(devices), look_jobs_("gyre-look") {}
+
+void CalibrationController::offerTargets() {
+  std::vector<TargetOffer> offers;
+  for (const std::string& name : standardTargetNames()) {
+    const auto standard = standardTarget(name);
+    if (!standard) continue;
+    offers.push_back({QString::fromStdString(name), QString::fromStdString(standard->title),
+                      QString::fromStdString(standard->purpose)});
+  }
+  Q_EMIT targetsOffered(offers);
+}
+
+void CalibrationController::chooseTarget(const TargetChoice& choice) {
+  auto chosen = std::make_shared<Chosen>();
+  chosen->choice = choice;
+  look_jobs_.start(
+      [chosen](const Task&) -> Result<void> {
+        auto target = asPrinted(chosen->choice);
+        if (!target) return target.error();
+        chosen->target = std::move(target).value();
+        return {};
+      },
+      [this, chosen](const Result<void>& outcome) {
+        if (outcome) {
+          chosen_ = chosen;
+          Q_EMIT targetReady();
+        } else {
+          chosen_.reset();
+          Q_EMIT targetRefused(outcome.error());
+        }
+      });
+}
+
+void CalibrationController::print(const QString& word, const QString& page, const QString& folder) {
+  const auto target = standardTarget(word.toStdString());
+  const auto size = pageSize(page.toStdString());
+  if (!target || !size) {
+    Q_EMIT failed({Error::Code::kInvalidInput, "There is no sheet to print for this target.",
+                   "Choose one of the program's own targets."});
+    return;
+  }
+  if (const auto written = printTarget(*target, *size, folder.toStdString()); !written) {
+    Q_EMIT failed(written.error());
+    return;
+  }
+  Q_EMIT printed(folder + '/' + word + ".pdf");
+}
+
+void CalibrationController::watch(WizardStep step) {
+  watched_ = step;
+  if (step == WizardStep::kFocus) sharpest_ = 0.0;
+  // In a simulated room nobody else has hands to put something on the table.
+  if (devices_.isOpen() && devices_.rig()->room) {
+    devices_.rig()->room->setTable(TableLoad::kObject);
+  }
+}
+
+void CalibrationController::stopWatching() { watched_.reset(); }
+
+void CalibrationController::lookAt(const FramePtr& frame) {
+  if (!watched_ || turning_ || look_jobs_.busy()) return;
+  if (*watched_ == WizardStep::kFocus) lookAtFocus(frame);
+  if (*watched_ == WizardStep::kPlace && chosen_) lookForTarget(frame);
+}
+
+void CalibrationController::lookAtFocus(const FramePtr& frame) {
+  struct Seen {
+    double sharpness = 0.0;
+    Exposure exposure;
+  };
+  auto seen = std::make_shared<Seen>();
+  look_jobs_.start(
+      [seen, frame](const Task&) -> Result<void> {
+        seen->sharpness = sharpnessOf(frame->image_bgr);
+        seen->exposure = exposureOf(frame->image_bgr);
+        return {};
+      },
+      [this, seen](const Result<void>& outcome) {
+        if (!outcome) return;
+        sharpest_ = std::max(sharpest_, seen->sharpness);
+        FocusFacts facts;
+        facts.sharpness = sharpest_ > 0.0 ? seen->sharpness / sharpest_ : 0.0;
+        facts.too_bright = seen->exposure.too_bright;
+        facts.too_dark = seen->exposure.too_dark;
+        facts.advice = focusAdvice(seen->exposure);
+        Q_EMIT focusSeen(facts);
+      });
+}
+
+void CalibrationController::lookForTarget(const FramePtr& frame) {
+  auto sight = std::make_shared<TargetSight>();
+  look_jobs_.start(
+      [sight, frame, chosen = chosen_](const Task& task) -> Result<void> {
+        *sight = sightIn(frame->image_bgr, chosen->target, task);
+        return {};
+      },
+      [this, sight](const Result<void>& outcome) {
+        if (outcome && watched_ == WizardStep::kPlace) Q_EMIT sightSeen(*sight);
+      });
+}
+
+void CalibrationController::turn() {
+  if (turning_ || !chosen_) return;
+  if (!devices_.mayMove()) {
+    Q_EMIT turnFailed({Error::Code::kRejected, "The table was not moved.",
+                       "Say first that this device is your turntable (step 1)."});
+    return;
+  }
+  turning_ = true;
+  auto outcome = std::make_shared<CalibrationOutcome>();
+  CalibrateOptions options;
+  if (chosen_->choice.ruler_right_mm && chosen_->choice.ruler_down_mm) {
+    options.bundle.caliper_sigma_mm = kCaliperSigma_mm;
+  }
+  CalibrationWatcher watcher;
+  watcher.on_picture = [this, chosen = chosen_](const SightedPicture& picture) {
+    TargetSight sight;
+    sight.sentence = picture.reason;
+    if (picture.view) {
+      for (const PointSighting& seen : picture.view->sightings) {
+        sight.found_px.emplace_back(seen.pixel.cast<float>());
+      }
+    }
+    QMetaObject::invokeMethod(
+        this, [this, frame = picture.frame, sight] { Q_EMIT pictureTaken(frame, sight); },
+        Qt::QueuedConnection);
+  };
+  devices_.runAlone(
+      [rig = devices_.rig(), chosen = chosen_, options, watcher,
+       outcome](const Task& task) -> Result<void> {
+        auto calibrated = calibrateLive({*rig->turntable, *rig->camera},
+                                        soughtTarget(chosen->target), options, watcher, task);
+        if (!calibrated) return calibrated.error();
+        *outcome = std::move(calibrated).value();
+        return {};
+      },
+      [this, outcome](const Result<void>& ended) {
+        turning_ = false;
+        if (ended) {
+          outcome_ = outcome;
+          Q_EMIT measured(outcome_);
+        } else if (ended.error().code == Error::Code::kCancelled) {
+          Q_EMIT stopped();
+        } else {
+          Q_EMIT turnFailed(ended.error());
+        }
+      });
+}
+
+void CalibrationController::stop() {
+  if (turning_) devices_.requestStop();
+}
+
+void CalibrationController::save(const std::filesystem::path& file) {
+  if (!outcome_) return;
+  const QString date = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
+  look_jobs_.start(
+      [outcome = outcome_, file, date = date.toStdString()](const Task&) {
+        return writeCalibrationRecord(file, recordOf(*outcome, date));
+      },
+      [this, file](const Result<void>& written) {
+        if (written) {
+          Q_EMIT saved(QString::fromStdString(file.string()));
+        } else {
+          Q_EMIT failed(written.error());
+        }
+      });
+}
+
+}  // namespace gyre

@@ -1,0 +1,75 @@
+// Does what the calibration wizard asks for: looks at targets, turns the table, keeps the result.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <QObject>
+
+#include "app/device_session.h"
+#include "app/job_runner.h"
+#include "core/pipeline/calibrate.h"
+#include "core/scan/target_sight.h"
+#include "ui/calibration_facts.h"
+#include "ui/calibration_wizard/calibration_wizard.h"
+
+namespace gyre {
+
+using CalibrationOutcomePtr = std::shared_ptr<const CalibrationOutcome>;
+
+// Belongs to the window's thread and never waits in it. Live pictures are looked at in a thread of
+// its own, the newest only; turning is done in the device session's.
+class CalibrationController final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CalibrationController(DeviceSession& devices, QObject* parent = nullptr);
+
+  const CalibrationOutcomePtr& outcome() const { return outcome_; }
+  bool turning() const { return turning_; }
+
+ public Q_SLOTS:
+  void offerTargets();
+  void chooseTarget(const gyre::TargetChoice& choice);
+  void print(const QString& word, const QString& page, const QString& folder);
+  // What live pictures are looked at for from now on.
+  void watch(gyre::WizardStep step);
+  void stopWatching();
+  void lookAt(const gyre::FramePtr& frame);
+  void turn();
+  void stop();
+  void save(const std::filesystem::path& file);
+
+ Q_SIGNALS:
+  void targetsOffered(const std::vector<gyre::TargetOffer>& offers);
+  void targetReady();
+  void targetRefused(const gyre::Error& why);
+  void printed(const QString& file);
+  void focusSeen(const gyre::FocusFacts& facts);
+  void sightSeen(const gyre::TargetSight& sight);
+  void pictureTaken(const gyre::FramePtr& frame, const gyre::TargetSight& sight);
+  void progressed(double fraction, const QString& stage);
+  void stopped();
+  void turnFailed(const gyre::Error& why);
+  void measured(const gyre::CalibrationOutcomePtr& outcome);
+  void saved(const QString& file);
+  void failed(const gyre::Error& error);
+
+ private:
+  struct Chosen;  // the target as it truly is, with its choice
+
+  void lookAtFocus(const FramePtr& frame);
+  void lookForTarget(const FramePtr& frame);
+
+  DeviceSession& devices_;
+  std::optional<WizardStep> watched_;
+  std::shared_ptr<const Chosen> chosen_;
+  CalibrationOutcomePtr outcome_;
+  double sharpest_ = 0.0;
+  bool turning_ = false;
+  JobRunner look_jobs_;
+};
+
+}  // namespace gyre

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/calibration_wiring.h"
+
+#include <utility>
+#include <vector>
+
+#include "app/calibration_controller.h"
+#include "app/scan_controller.h"
+#include "ui/banner.h"
+#include "ui/calibration_panel.h"
+#include "ui/calibration_wizard/focus_page.h"
+#include "ui/calibration_wizard/place_page.h"
+#include "ui/calibration_wizard/result_page.h"
+#include "ui/calibration_wizard/target_page.h"
+#include "ui/calibration_wizard/turn_page.h"
+#include "ui/camera_view.h"
+#include "ui/chime.h"
+#include "ui/scene_view.h"
+#include "ui/work_page.h"
+
+namespace gyre {
+namespace {
+
+// Residuals are tenths of a pixel: enlarged so far, they are seen.
+constexpr float kResidualScale = 100.0F;
+
+std::vector<PictureMark> foundMarks(const TargetSight& sight) {
+  std::vector<PictureMark> marks;
+  marks.reserve(sight.found_px.size());
+  for (const Eigen::Vector2f& pixel : sight.found_px) {
+    marks.push_back({PictureMark::Shape::kCircle, pixel, pixel});
+  }
+  return marks;
+}
+
+std::vector<PictureMark> residualMarks(const CalibrationReport& report) {
+  std::vector<PictureMark> marks;
+  marks.reserve(report.residuals.size());
+  for (const CalibrationResidual& residual : report.residuals) {
+    const Eigen::Vector2f at = residual.pixel.cast<float>();
+    const Eigen::Vector2f to = at + kResidualScale * residual.residual_px.cast<float>();
+    marks.push_back(
+        {residual.used ? PictureMark::Shape::kArrow : PictureMark::Shape::kCross, at, to});
+  }
+  return marks;
+}
+
+void wireWishes(WorkPage& page, CalibrationController& calibrations, ScanController& scans) {
+  CalibrationWizard& wizard = *page.calibration_panel->wizard;
+  using Controller = CalibrationController;
+  QObject::connect(page.calibration_panel, &CalibrationPanel::wizardShown, &calibrations,
+                   [&page, &calibrations, &wizard](bool shown) {
+                     page.camera_view->setOverlay({});
+                     if (shown) {
+                       calibrations.watch(wizard.step());
+                     } else {
+                       calibrations.stopWatching();
+                     }
+                   });
+  QObject::connect(&wizard, &CalibrationWizard::stepShown, &calibrations,
+                   [&page, &calibrations](WizardStep step) {
+                     if (step != WizardStep::kResult) page.camera_view->setOverlay({});
+                     if (step == WizardStep::kPlace) sound(Chime::kPlace);
+                     calibrations.watch(step);
+                   });
+  QObject::connect(wizard.focus_page, &FocusPage::lockRequested, &scans.devices(),
+                   &DeviceSession::lockCamera);
+  QObject::connect(wizard.target_page, &TargetPage::targetChosen, &calibrations,
+                   &Controller::chooseTarget);
+  QObject::connect(wizard.target_page, &TargetPage::printRequested, &calibrations,
+                   &Controller::print);
+  QObject::connect(wizard.turn_page, &TurnPage::startRequested, &calibrations, &Controller::turn);
+  QObject::connect(wizard.turn_page, &TurnPage::stopRequested, &calibrations, &Controller::stop);
+  QObject::connect(wizard.result_page, &ResultPage::keepRequested, &scans,
+                   [&wizard, &calibrations, &scans] {
+                     scans.useMeasured(calibrations.outcome()->rig.calibration,
+                                       calibrations.outcome()->rig.report);
+                     wizard.result_page->showKept({});
+                   });
+  QObject::connect(wizard.result_page, &ResultPage::saveRequested, &calibrations,
+                   [&calibrations](const QString& path) { calibrations.save(path.toStdString()); });
+  QObject::connect(wizard.result_page, &ResultPage::againRequested, &wizard,
+                   [&wizard] { wizard.showStep(WizardStep::kPlace); });
+}
+
+void wireFacts(WorkPage& page, CalibrationController& calibrations) {
+  CalibrationWizard& wizard = *page.calibration_panel->wizard;
+  using Controller = CalibrationController;
+  QObject::connect(&calibrations, &Controller::targetsOffered, wizard.target_page,
+                   &TargetPage::showOffers);
+  QObject::connect(&calibrations, &Controller::targetReady, wizard.target_page,
+                   &TargetPage::showReady);
+  QObject::connect(&calibrations, &Controller::targetReady, wizard.place_page,
+                   &PlaceTargetPage::reset);
+  QObject::connect(&calibrations, &Controller::targetRefused, wizard.target_page,
+                   &TargetPage::showProblem);
+  QObject::connect(&calibrations, &Controller::printed, wizard.target_page,
+                   &TargetPage::showPrinted);
+  QObject::connect(&calibrations, &Controller::focusSeen, wizard.focus_page, &FocusPage::showFocus);
+  QObject::connect(&calibrations, &Controller::sightSeen, wizard.place_page,
+                   &PlaceTargetPage::showSight);
+  QObject::connect(
+      &calibrations, &Controller::sightSeen, page.camera_view,
+      [&page](const TargetSight& sight) { page.camera_view->setOverlay(foundMarks(sight)); });
+  QObject::connect(&calibrations, &Controller::pictureTaken, page.camera_view,
+                   [&page](const FramePtr& frame, const TargetSight& sight) {
+                     page.camera_view->setOverlay(foundMarks(sight));
+                     page.camera_view->showFrame(frame);
+                     page.scene_view->showTableAngleRad(frame->table_angle_rad);
+                   });
+  QObject::connect(&calibrations, &Controller::stopped, wizard.turn_page, &TurnPage::showStopped);
+  QObject::connect(&calibrations, &Controller::turnFailed, wizard.turn_page,
+                   &TurnPage::showFailure);
+  QObject::connect(&calibrations, &Controller::saved, wizard.result_page, &ResultPage::showKept);
+  QObject::connect(&calibrations, &Controller::failed, page.banner, &Banner::showError);
+  QObject::connect(&calibrations, &Controller::measured, page.scene_view,
+                   [&page, &wizard](const CalibrationOutcomePtr& outcome) {
+                     const RigCalibration& rig = outcome->rig;
+                     page.scene_view->showCalibration(rig.calibration);
+                     page.scene_view->showTarget(rig.target, rig.table_from_target);
+                     page.scene_view->fitRig();
+                     wizard.turn_page->showDone();
+                     wizard.result_page->showReport(rig.report);
+                     wizard.showStep(WizardStep::kResult);
+                     page.camera_view->setOverlay(residualMarks(rig.report));
+                     sound(Chime::kDone);
+                   });
+}
+
+}  // namespace
+
+void wireCalibration(WorkPage& page, CalibrationController& calibrations, ScanController& scans) {
+  wireWishes(page, calibrations, scans);
+  wireFacts(page, calibrations);
+  DeviceSession& devices = scans.devices();
+  CalibrationPanel* panel = page.calibration_panel;
+  QObject::connect(&devices, &DeviceSession::frameArrived, &calibrations,
+                   &CalibrationController::lookAt);
+  QObject::connect(&devices, &DeviceSession::cameraTold, panel->wizard->focus_page,
+                   &FocusPage::showLocks);
+  QObject::connect(&devices, &DeviceSession::progressed, panel->wizard->turn_page,
+                   [&calibrations, panel](double fraction, const QString& stage) {
+                     if (calibrations.turning()) {
+                       panel->wizard->turn_page->showRunning(fraction, stage);
+                     }
+                   });
+  QObject::connect(&devices, &DeviceSession::opened, panel, &CalibrationPanel::allowMeasuring);
+  QObject::connect(&devices, &DeviceSession::closed, panel, [panel] {
+    panel->showOverview();
+    panel->forbidMeasuring(CalibrationPanel::tr("Connect turntable and camera first (step 1)."));
+  });
+  calibrations.offerTargets();
+}
+
+}  // namespace gyre
