@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/calibrate_ending.h"
 
+#include <cctype>
 #include <iomanip>
 #include <sstream>
 
@@ -9,18 +10,6 @@
 
 namespace gyre {
 namespace {
-
-const char* verdictWord(CalibrationVerdict verdict) {
-  switch (verdict) {
-    case CalibrationVerdict::kGood:
-      return "good";
-    case CalibrationVerdict::kAcceptable:
-      return "acceptable";
-    case CalibrationVerdict::kRedo:
-      return "redo";
-  }
-  return "redo";
-}
 
 void tellTurning(Console& console, const CalibratedTurntable& turntable) {
   std::ostringstream text;
@@ -75,13 +64,9 @@ void tellOutcome(Console& console, const CalibrationOutcome& outcome) {
 }
 
 void tellVerdict(Console& console, const CalibrationReport& report) {
-  std::ostringstream figures;
-  figures << std::fixed << "On an object of " << std::setprecision(0) << report.object_size_mm
-          << " mm: local detail ± " << std::setprecision(4) << report.local_detail_mm
-          << " mm, overall size ± " << std::setprecision(3) << report.overall_size_mm << " mm"
-          << (report.size_verified ? "." : " (size not verified).");
-  console.say(figures.str());
-  console.say(std::string("Verdict: ") + verdictWord(report.verdict) + ". " + report.sentence);
+  std::string sentence = report.sentence;  // begins with the verdict's word
+  if (!sentence.empty()) sentence.front() = static_cast<char>(std::tolower(sentence.front()));
+  console.say("Verdict: " + sentence);
 }
 
 int endCalibration(Console& console, const std::filesystem::path& file,
@@ -102,7 +87,7 @@ int endCalibration(Console& console, const std::filesystem::path& file,
   return console.fail({Error::Code::kTooFew,
                        "This calibration is not good enough to measure with; the file is written "
                        "and marked so.",
-                       record.report->sentence});
+                       "Do what the verdict says, and calibrate again."});
 }
 
 }  // namespace gyre

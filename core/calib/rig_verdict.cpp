@@ -102,7 +102,7 @@ void judge(const RigBundleOptions& options, const CaptureFacts& facts, Calibrati
   const double detail = report.local_detail_mm / report.object_size_mm;
   report.sentence = wordOf(report.verdict);
   report.sentence +=
-      text(": on an object of %.0f mm, local detail +-%.3f mm, overall size +-%.2f mm",
+      text(": on an object of %.0f mm, local detail \u00b1 %.3f mm, overall size \u00b1 %.2f mm",
            report.object_size_mm, report.local_detail_mm, report.overall_size_mm);
   report.sentence += report.size_verified ? "." : " (size not verified).";
   if (!(detail <= options.limits.good_detail)) {

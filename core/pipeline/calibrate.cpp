@@ -164,6 +164,7 @@ class LiveCalibration {
  private:
   Result<FoundTurning> findTurning(const Task& task);
   Result<Sightings> takePictures(const Task& task);
+  Result<CalibrationOutcome> solveAndCorrect(Sightings sightings, const Task& task);
   Result<void> takePicture(int picture, Keeper& keeper, Sightings& sightings, const Task& task);
 
   LiveRig rig_;
@@ -231,23 +232,29 @@ Result<Sightings> LiveCalibration::takePictures(const Task& task) {
   return sightings;
 }
 
+// What the rough lens of the tiny moves left over is put right in the device and in the told
+// angles, and solved again: then the report is that of the table as it is from now on.
+Result<CalibrationOutcome> LiveCalibration::solveAndCorrect(Sightings sightings, const Task& task) {
+  const RigBundleOptions bundle =
+      bundleFor(options_, reference_->image_bgr.cols, reference_->image_bgr.rows);
+  auto outcome = solve(sightings, target_.target, bundle, task.part(0.0, 0.5));
+  if (!outcome) return outcome;
+  const double left_over = outcome->rig.report.direction * outcome->rig.report.step_scale;
+  if (std::abs(left_over - 1.0) <= kScaleWorthCorrecting) return outcome;
+  if (auto done = rig_.turntable.correct(left_over); !done) return done.error();
+  for (TargetView& view : sightings.views) *view.table_angle_rad *= left_over;
+  return solve(std::move(sightings), target_.target, bundle, task.part(0.5, 1.0));
+}
+
 Result<CalibrationOutcome> LiveCalibration::run(const Task& task) {
   auto turning = findTurning(task.part(0.0, 0.3));
   if (!turning) return turning.error();
   auto sightings = takePictures(task.part(0.3, 0.9));
   if (!sightings) return sightings.error();
-  auto outcome = solve(std::move(*sightings), target_.target,
-                       bundleFor(options_, reference_->image_bgr.cols, reference_->image_bgr.rows),
-                       task.part(0.9, 1.0));
+  auto outcome = solveAndCorrect(std::move(*sightings), task.part(0.9, 1.0));
   if (!outcome) return outcome;
   outcome->remarks = std::move(turning->remarks);
   outcome->reference = reference_;
-  // What the rough lens of the tiny moves left over; the solver knows the lens.
-  const CalibrationReport& report = outcome->rig.report;
-  const double left_over = report.direction * report.step_scale;
-  if (std::abs(left_over - 1.0) > kScaleWorthCorrecting) {
-    if (auto done = rig_.turntable.correct(left_over); !done) return done.error();
-  }
   const TurntableInfo info = rig_.turntable.info();
   outcome->turntable =
       CalibratedTurntable{info.device_id, info.axis, info.units_per_turn, info.direction};

@@ -50,8 +50,11 @@ Error slips(const std::vector<double>& turned_rad) {
 }
 
 Error lostTarget(const Error& reason) {
-  return {reason.code, "The target was lost from sight while the table turned. " + reason.what,
-          reason.advice};
+  return {reason.code,
+          "The target was lost from sight while the table made its first moves. " + reason.what,
+          reason.advice +
+              " It may help to turn the target so that a whole face looks at the "
+              "camera at first."};
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(LiveReconstruction, RefusesAPictureOfAnotherSizeAndGoesOn) {
   small.image_bgr = cv::Mat::zeros(100, 100, CV_8UC3);
   const auto refused = live->addFrame(shared(std::move(small)));
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().what.find("100x100"), std::string::npos);
+  EXPECT_NE(refused.error().what.find("100 x 100"), std::string::npos);
   EXPECT_TRUE(live->addFrame(cylinderViews().front()));
 }
 
