@@ -152,7 +152,10 @@ std::optional<double> strongestRipple(const std::vector<double>& angles_rad, con
   if (!(variance > 0.0)) return std::nullopt;
   double best_power = 0.0;
   double best_order = 0.0;
-  for (double order = std::max(2.5, 1.5 / span_turns); order < highest; order += step) {
+  const double lowest = std::max(2.5, 1.5 / span_turns);
+  const int orders = static_cast<int>(std::ceil((highest - lowest) / step));
+  for (int i = 0; i < orders; ++i) {
+    const double order = lowest + i * step;
     double a = 0.0;
     double b = 0.0;
     for (std::size_t k = 0; k < angles_rad.size(); ++k) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/LU>
 
@@ -140,7 +141,7 @@ Finding lookFor(const TargetPicture& picture, const TargetFace& face,
   if (!fit || (fit->pixel - predicted).norm() > kSnap * stretch * pitch_mm) {
     return Finding::kUnseen;
   }
-  search.sightings.push_back({corner.point, fit->pixel, fit->sigma_px});
+  search.sightings.push_back({corner.point, fit->pixel, saddleSigma_px(fit->sigma_px, clear_px)});
   return Finding::kFound;
 }
 
@@ -184,6 +185,12 @@ void completeFace(const TargetPicture& picture, const TargetFace& face, FaceSear
   }
   std::stable_sort(search.sightings.begin(), search.sightings.end(),
                    [](const auto& a, const auto& b) { return a.point < b.point; });
+}
+
+double saddleSigma_px(double noise_sigma_px, double clear_px) {
+  constexpr double kPixels_px = 0.015;
+  constexpr double kNeighbours_px3 = 0.35;
+  return std::hypot(noise_sigma_px, kPixels_px, kNeighbours_px3 / (clear_px * clear_px));
 }
 
 void dropStrays(const TargetFace& face, FaceSearch& search) {

@@ -52,11 +52,9 @@ Result<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::string& di
 }
 
 ForeignMarkers findForeignMarkers(const cv::Mat& grey, const std::string& but_not_dictionary) {
-  const auto own = markerDictionary(but_not_dictionary);
   ForeignMarkers most;
   for (const char* family : kFamilies) {
-    const auto known = markerDictionary(family);
-    if (!known || (own && own->bits_a_side == known->bits_a_side)) continue;
+    if (but_not_dictionary == family) continue;
     const auto detection = detectMarkers(grey, family);
     if (!detection) continue;
     const int count = static_cast<int>(detection->markers.size());

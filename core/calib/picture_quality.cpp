@@ -2,6 +2,7 @@
 #include "core/calib/picture_quality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -64,8 +65,8 @@ PictureQuality measureQuality(const TargetPicture& picture) {
     for (int x = 0; x < slope.cols; x += 4) contrasts.push_back(contrast.at<float>(y, x));
   }
   if (contrasts.empty()) return quality;
-  // The strongest hundredth tells what contrast the picture has, however small its subject.
-  const double strong = percentileOf(contrasts, 0.99);
+  // The strongest few tell what contrast the picture has, however small its subject.
+  const double strong = percentileOf(contrasts, 0.998);
   const double noise = 6.0 * picture.noise_grey / (2.0 * std::sqrt(kPi) * kSaddleBlur_px);
   if (strong < std::max(kLeastContrast, 1.5 * noise)) return quality;
   quality.contrast = strong;

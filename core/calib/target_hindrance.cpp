@@ -170,7 +170,10 @@ Error whyCodedNotFound(const TargetPicture& picture, const Target& target,
                 ") are not those of '" + target.name + "'.",
             "Place the chosen target, or choose the one that is on the table."};
   }
-  const ForeignMarkers foreign = findForeignMarkers(picture.grey, target.dictionary);
+  // What another family codes is here a dark square that cannot be read.
+  const ForeignMarkers foreign = search.detection.unreadable.size() < 2
+                                     ? ForeignMarkers{}
+                                     : findForeignMarkers(picture.grey, target.dictionary);
   if (foreign.markers > 0) {
     return {Error::Code::kInvalidInput,
             "Another target is in the picture: it carries " +

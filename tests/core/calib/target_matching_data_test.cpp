@@ -131,9 +131,8 @@ TEST_P(ThreePlaneRig, IsFoundWithoutClicksAndCalibrated) {
   if (!folder) GTEST_SKIP() << "GYRE_TEST_DATA is not set";
   const auto pictures = listPictures(*folder);
   ASSERT_TRUE(pictures) << pictures.error().sentence();
-  const auto picture = std::find_if(pictures->begin(), pictures->end(), [&](const auto& each) {
-    return each.stem() == GetParam();
-  });
+  const auto picture = std::find_if(pictures->begin(), pictures->end(),
+                                    [&](const auto& each) { return each.stem() == GetParam(); });
   ASSERT_NE(picture, pictures->end());
   const auto frame = readPicture(*picture);
   ASSERT_TRUE(frame) << frame.error().sentence();
