@@ -149,7 +149,7 @@ std::optional<double> strongestRipple(const std::vector<double>& angles_rad, con
   const double highest = 0.5 * count / span_turns;
   const double step = 0.1 / span_turns;
   const double variance = fit.residuals_rad.squaredNorm() / count;
-  if (!(variance > 0.0)) return std::nullopt;
+  if (!(variance > 0.0) || !(span_turns > 0.0)) return std::nullopt;
   double best_power = 0.0;
   double best_order = 0.0;
   const double lowest = std::max(2.5, 1.5 / span_turns);
