@@ -151,6 +151,36 @@ void tally(Finding finding, FaceSearch& search) {
   search.unseen += static_cast<int>(finding == Finding::kUnseen);
 }
 
+// How far a sighting is from where its neighbours put it.
+struct Disagreement {
+  double miss_px = 0.0;
+  double tolerance_px = 0.0;  // what waves in the paper and the bending of the lens explain
+  double doubt = 1.0;         // above 1: the neighbours all lie to one side of it
+};
+Disagreement disagreement(const TargetFace& face, const PlaneSighting& sighting,
+                          std::vector<PlaneSighting> others) {
+  constexpr std::size_t kNeighbours = 12;
+  constexpr double kLeast_px = 0.25;
+  constexpr double kOfSquare = 0.03;
+  Disagreement found;
+  const auto homography = fitHomographyNear(others, sighting.place, kNeighbours);
+  if (!homography) return found;
+  const Eigen::Matrix2d jacobian = homographyJacobian(*homography, sighting.place);
+  const double pitch_mm = pitchOf_mm(face);
+  found.miss_px = (throughHomography(*homography, sighting.place) - sighting.pixel).norm();
+  found.tolerance_px = std::max(kLeast_px, kOfSquare * pitch_mm * jacobian.norm() / std::sqrt(2.0));
+  const std::size_t count = std::min(kNeighbours, others.size());
+  std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count),
+                    others.end(), [&](const PlaneSighting& a, const PlaneSighting& b) {
+                      return (a.place - sighting.place).squaredNorm() <
+                             (b.place - sighting.place).squaredNorm();
+                    });
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < count; ++i) middle += others[i].place / static_cast<double>(count);
+  found.doubt = 1.0 + (middle - sighting.place).norm() / pitch_mm;
+  return found;
+}
+
 }  // namespace
 
 std::optional<FaceSearch> searchCodedFace(const TargetPicture& picture, const TargetFace& face,
@@ -194,36 +224,35 @@ double saddleSigma_px(double noise_sigma_px, double clear_px) {
 }
 
 void dropStrays(const TargetFace& face, FaceSearch& search) {
-  constexpr double kLeast_px = 0.25;
-  constexpr double kLeastOfSquare = 0.03;  // below, it is the paper's waves and the lens' bending
-  constexpr std::size_t kNeighbours = 12;
+  constexpr std::size_t kEnough = 6;
   while (!search.sightings.empty()) {
     const std::vector<PlaneSighting> places = placesOf(face, search);
     std::vector<double> misses;
-    double square_px = 0.0;
+    std::vector<double> tolerances;
     for (std::size_t i = 0; i < places.size(); ++i) {
       std::vector<PlaneSighting> others = places;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-      if (others.size() < 6) {
+      if (others.size() < kEnough) {
         others.insert(others.end(), search.guides.begin(), search.guides.end());
       }
-      const auto homography = fitHomographyNear(others, places[i].place, kNeighbours);
-      if (homography) {
-        const Eigen::Matrix2d jacobian = homographyJacobian(*homography, places[i].place);
-        square_px = std::max(square_px, pitchOf_mm(face) * jacobian.norm() / std::sqrt(2.0));
-      }
-      misses.push_back(
-          homography ? (throughHomography(*homography, places[i].place) - places[i].pixel).norm()
-                     : 0.0);
+      const Disagreement found = disagreement(face, places[i], others);
+      misses.push_back(found.miss_px / found.doubt);
+      tolerances.push_back(found.tolerance_px);
     }
     std::vector<double> sorted = misses;
     std::sort(sorted.begin(), sorted.end());
-    const double most = std::max({kLeast_px, kLeastOfSquare * square_px,
-                                  3.0 * 1.4826 * sorted[sorted.size() / 2]}) *
-                        (places.size() < 6 ? 4.0 : 1.0);
-    const auto worst = std::max_element(misses.begin(), misses.end());
-    if (*worst <= most) return;
-    search.sightings.erase(search.sightings.begin() + (worst - misses.begin()));
+    const double spread_px = 3.0 * 1.4826 * sorted[sorted.size() / 2];
+    const double guessing = places.size() < kEnough ? 4.0 : 1.0;
+    std::size_t worst = 0;
+    double most = 0.0;
+    for (std::size_t i = 0; i < misses.size(); ++i) {
+      const double share = misses[i] / (guessing * std::max(tolerances[i], spread_px));
+      if (share <= most) continue;
+      most = share;
+      worst = i;
+    }
+    if (most <= 1.0) return;
+    search.sightings.erase(search.sightings.begin() + static_cast<std::ptrdiff_t>(worst));
     ++search.unseen;
   }
 }

@@ -13,7 +13,7 @@ namespace {
 // The largest of each size contains what smaller ones hold, in the order of their release.
 constexpr std::array<const char*, 5> kFamilies = {"DICT_4X4_1000", "DICT_5X5_1000", "DICT_6X6_1000",
                                                   "DICT_7X7_1000", "DICT_ARUCO_ORIGINAL"};
-constexpr int kForeignEvidence = 2;
+constexpr int kForeignEvidence = 3;
 
 MarkerCorners cornersOf(const std::vector<cv::Point2f>& quadrangle) {
   MarkerCorners corners{};
@@ -21,9 +21,11 @@ MarkerCorners cornersOf(const std::vector<cv::Point2f>& quadrangle) {
   return corners;
 }
 
-}  // namespace
+// How far a code may be from what was read.
+enum class Reading { kCorrecting, kExact };
 
-Result<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::string& dictionary) {
+Result<MarkerDetection> detect(const cv::Mat& grey, const std::string& dictionary,
+                               Reading reading) {
   const auto known = markerDictionary(dictionary);
   if (!known) {
     return Error{Error::Code::kInvalidInput,
@@ -36,6 +38,7 @@ Result<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::string& di
     std::vector<int> ids;
     const auto codes = cv::aruco::getPredefinedDictionary(known->opencv_number);
     const auto parameters = cv::aruco::DetectorParameters::create();
+    if (reading == Reading::kExact) parameters->errorCorrectionRate = 0.0;
     cv::aruco::detectMarkers(grey, codes, quadrangles, ids, parameters, rejected);
     MarkerDetection detection;
     for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -51,14 +54,23 @@ Result<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::string& di
   }
 }
 
+}  // namespace
+
+Result<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::string& dictionary) {
+  return detect(grey, dictionary, Reading::kCorrecting);
+}
+
 ForeignMarkers findForeignMarkers(const cv::Mat& grey, const std::string& but_not_dictionary) {
   ForeignMarkers most;
   for (const char* family : kFamilies) {
     if (but_not_dictionary == family) continue;
-    const auto detection = detectMarkers(grey, family);
+    const auto detection = detect(grey, family, Reading::kExact);
     if (!detection) continue;
     const int count = static_cast<int>(detection->markers.size());
-    if (count >= kForeignEvidence && count > most.markers) most = {family, count};
+    const int unread = static_cast<int>(detection->unreadable.size());
+    // One in twenty dark squares is a code of the largest families by chance.
+    if (count < kForeignEvidence || 3 * count < unread || count <= most.markers) continue;
+    most = {family, count};
   }
   return most;
 }

@@ -107,9 +107,38 @@ std::string idsOf(const MarkerDetection& detection) {
   return detection.markers.size() > kMost ? ids + ", ..." : ids;
 }
 
-// Codes of this target were read, but too few points came of it.
-Error whyTooFew(const TargetPicture& picture, const CodedSearch& search, int modules, int needed) {
+// How many markers of no face, all in one plane as those of a ring are, lie outside the picture.
+int loosePointsOutside(const TargetPicture& picture, const Target& target,
+                       const CodedSearch& search) {
+  const std::vector<TargetPoint> points = pointsOf(target);
+  std::vector<PlaneSighting> seen;
+  for (const PointSighting& sighting : search.marker_sightings) {
+    const auto& position = points[static_cast<std::size_t>(sighting.point)].position_in_target;
+    seen.push_back({position.head<2>(), sighting.pixel, 1.0});
+  }
+  const auto homography = fitHomography(seen);
+  if (!homography) return 0;
   int outside = 0;
+  for (const TargetPoint& point : points) {
+    if (point.marker_id < 0 ||
+        std::abs(point.position_in_target.z() - points.front().position_in_target.z()) > 0.1) {
+      continue;
+    }
+    const Eigen::Vector2d pixel =
+        throughHomography(*homography, point.position_in_target.head<2>());
+    outside += static_cast<int>(pixel.x() < 0.0 || pixel.y() < 0.0 ||
+                                pixel.x() > picture.grey.cols - 1.0 ||
+                                pixel.y() > picture.grey.rows - 1.0);
+  }
+  return outside;
+}
+
+// Codes of this target were read, but too few points came of it.
+Error whyTooFew(const TargetPicture& picture, const Target& target, const CodedSearch& search,
+                int needed) {
+  const auto dictionary = markerDictionary(target.dictionary);
+  const int modules = dictionary ? dictionary->modules_a_side() : 7;
+  int outside = loosePointsOutside(picture, target, search);
   int small = 0;
   int unseen = 0;
   for (const FaceSearch& face : search.faces) {
@@ -163,7 +192,7 @@ Error whyCodedNotFound(const TargetPicture& picture, const Target& target,
                        const CodedSearch& search, int needed) {
   const auto dictionary = markerDictionary(target.dictionary);
   const int modules = dictionary ? dictionary->modules_a_side() : 7;
-  if (search.own_markers > 0) return whyTooFew(picture, search, modules, needed);
+  if (search.own_markers > 0) return whyTooFew(picture, target, search, needed);
   if (search.stranger_markers > 0) {
     return {Error::Code::kInvalidInput,
             "Another target is in the picture: its codes (" + idsOf(search.detection) +

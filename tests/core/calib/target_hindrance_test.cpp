@@ -91,8 +91,8 @@ TEST_P(Hindrance, IsTooLittleLight) {
 
 TEST_P(Hindrance, IsThatTheTargetIsTooSmall) {
   View view;
-  // Squares of less than 4 px, and codes of about 10.
-  view.distance_mm = target().dictionary.empty() ? 1900.0 : 620.0;
+  // Squares of 4 px and less, and codes of about 10.
+  view.distance_mm = target().dictionary.empty() ? 1500.0 : 520.0;
   EXPECT_THAT(whyNot(pictureOf(target(), view), target()), HasSubstr("too small"));
 }
 
