@@ -9,9 +9,9 @@
 
 #include "core/calib/corner_index.h"
 #include "core/calib/labelling_evidence.h"
+#include "core/calib/rough_pose.h"
 #include "core/calib/target_face.h"
 #include "core/calib/target_picture.h"
-#include "core/calib/target_pose.h"
 
 namespace gyre {
 namespace {
@@ -70,7 +70,7 @@ std::vector<KnownPoint> knownPoints(const std::vector<Snap>& snaps) {
 }
 
 // All corners of faces that look at the camera, where a detected one is near enough.
-std::vector<Snap> snapAll(const TargetPose& pose, std::span<const TargetFace> faces,
+std::vector<Snap> snapAll(const RoughPose& pose, std::span<const TargetFace> faces,
                           std::span<const XCorner> corners, double snap_px) {
   const CornerIndex index(corners);
   std::vector<Snap> snaps;
@@ -98,7 +98,7 @@ std::vector<Snap> snapAll(const TargetPose& pose, std::span<const TargetFace> fa
   return snaps;
 }
 
-void dropOutliers(const TargetPose& pose, std::vector<Snap>& snaps) {
+void dropOutliers(const RoughPose& pose, std::vector<Snap>& snaps) {
   constexpr double kLeast_px = 0.5;
   std::vector<double> misses;
   for (const Snap& snap : snaps) {
@@ -117,7 +117,7 @@ void dropOutliers(const TargetPose& pose, std::vector<Snap>& snaps) {
 }
 
 FoundTarget foundFrom(std::vector<Snap> snaps, const std::vector<TargetPoint>& points,
-                      const TargetPose& pose, std::span<const TargetFace> faces) {
+                      const RoughPose& pose, std::span<const TargetFace> faces) {
   std::sort(snaps.begin(), snaps.end(),
             [](const Snap& a, const Snap& b) { return a.point < b.point; });
   FoundTarget found;
@@ -165,7 +165,7 @@ Result<FoundTarget> targetFromClicks(const cv::Mat& image, const Target& target,
   const CameraModel start =
       options.camera.value_or(unknownCamera(picture->grey.cols, picture->grey.rows));
   const PoseFreedom freedom = options.camera ? PoseFreedom::kPose : PoseFreedom::kFocal;
-  auto pose = findTargetPose(knownPoints(*clicked), start, freedom);
+  auto pose = findRoughPose(knownPoints(*clicked), start, freedom);
   Eigen::Vector2d least = clicked->front().known.pixel;
   Eigen::Vector2d most = least;
   for (const Snap& snap : *clicked) {
@@ -181,7 +181,7 @@ Result<FoundTarget> targetFromClicks(const cv::Mat& image, const Target& target,
     for (int pass = 0; pass < 2 && snaps.size() >= kLeastFound; ++pass) {
       const bool bend = !options.camera && snaps.size() >= kEnoughForDistortion;
       const auto better =
-          refineTargetPose(knownPoints(snaps), *pose, bend ? PoseFreedom::kFocalAndK1 : freedom);
+          refineRoughPose(knownPoints(snaps), *pose, bend ? PoseFreedom::kFocalAndK1 : freedom);
       if (!better) break;
       pose = better;
       dropOutliers(*pose, snaps);

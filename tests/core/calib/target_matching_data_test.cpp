@@ -14,7 +14,7 @@
 #include "core/base/units.h"
 #include "core/calib/find_target.h"
 #include "core/calib/refine_camera.h"
-#include "core/calib/target_pose.h"
+#include "core/calib/rough_pose.h"
 #include "core/calib/tsai.h"
 #include "core/io/frame_folder.h"
 #include "core/io/picture_file.h"
@@ -235,7 +235,7 @@ TEST(Chessboard, IsFoundInAllPicturesAndGivesTheIntrinsics) {
       view.points.push_back({points[static_cast<std::size_t>(sighting.point)].position_in_target,
                              sighting.pixel, sighting.sigma_px});
     }
-    const auto pose = findTargetPose(view.points, start, PoseFreedom::kPose);
+    const auto pose = findRoughPose(view.points, start, PoseFreedom::kPose);
     ASSERT_TRUE(pose.has_value()) << frame->name;
     view.cam_from_target = pose->cam_from_target;
   }
