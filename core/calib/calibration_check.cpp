@@ -200,9 +200,9 @@ std::pair<std::vector<TargetView>, std::vector<TargetView>> holdOut(
   for (const TargetView& view : views) {
     TargetView kept = view;
     TargetView held = view;
-    const auto isHeld = [&](const PointSighting& s) { return s.point % every_nth == 0; };
-    std::erase_if(kept.sightings, isHeld);
-    std::erase_if(held.sightings, [&](const PointSighting& s) { return !isHeld(s); });
+    const auto is_held = [&](const PointSighting& s) { return s.point % every_nth == 0; };
+    std::erase_if(kept.sightings, is_held);
+    std::erase_if(held.sightings, [&](const PointSighting& s) { return !is_held(s); });
     split.first.push_back(std::move(kept));
     split.second.push_back(std::move(held));
   }

@@ -47,7 +47,7 @@ Result<CodedSearch> searchCodedTarget(const TargetPicture& picture, const Target
                                       std::span<const TargetFace> faces) {
   auto detection = detectMarkers(picture.grey, target.dictionary);
   if (!detection) return detection.error();
-  const int modules_a_side = markerDictionary(target.dictionary)->modules_a_side();
+  const int modules_a_side = markerDictionary(target.dictionary)->modulesASide();
   const std::vector<TargetPoint> points = pointsOf(target);
   const auto first_point = firstPoints(points);
   CodedSearch search;

@@ -42,7 +42,7 @@ void printMarker(const CodedSquare& square, const Panel& panel, Target& target,
   };
   const double half = 0.5 * square.side_mm;
   drawing.polygons.push_back(rectangle(Ink::kBlack, {-half, -half}, {half, half}, on_page));
-  const int side = dictionary->modules_a_side();
+  const int side = dictionary->modulesASide();
   const double module_mm = square.side_mm / side;
   const auto modules = markerModules(*dictionary, square.id);
   for (int y = 0; y < side; ++y) {

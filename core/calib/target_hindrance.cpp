@@ -137,7 +137,7 @@ int loosePointsOutside(const TargetPicture& picture, const Target& target,
 Error whyTooFew(const TargetPicture& picture, const Target& target, const CodedSearch& search,
                 int needed) {
   const auto dictionary = markerDictionary(target.dictionary);
-  const int modules = dictionary ? dictionary->modules_a_side() : 7;
+  const int modules = dictionary ? dictionary->modulesASide() : 7;
   int outside = loosePointsOutside(picture, target, search);
   int small = 0;
   int unseen = 0;
@@ -191,7 +191,7 @@ bool reachesBorder(const TargetPicture& picture, const UncodedSearch& search) {
 Error whyCodedNotFound(const TargetPicture& picture, const Target& target,
                        const CodedSearch& search, int needed) {
   const auto dictionary = markerDictionary(target.dictionary);
-  const int modules = dictionary ? dictionary->modules_a_side() : 7;
+  const int modules = dictionary ? dictionary->modulesASide() : 7;
   if (search.own_markers > 0) return whyTooFew(picture, target, search, needed);
   if (search.stranger_markers > 0) {
     return {Error::Code::kInvalidInput,

@@ -45,7 +45,7 @@ std::vector<std::uint8_t> markerModules(const MarkerDictionary& dictionary, int 
   const auto codes = cv::aruco::getPredefinedDictionary(dictionary.opencv_number);
   const cv::Mat bits =
       cv::aruco::Dictionary::getBitsFromByteList(codes->bytesList.row(id), codes->markerSize);
-  const int side = dictionary.modules_a_side();
+  const int side = dictionary.modulesASide();
   GYRE_CHECK(bits.rows == dictionary.bits_a_side && bits.cols == dictionary.bits_a_side);
   std::vector<std::uint8_t> modules(static_cast<std::size_t>(side * side), 0);
   for (int y = 0; y < bits.rows; ++y) {

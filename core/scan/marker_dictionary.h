@@ -14,7 +14,7 @@ struct MarkerDictionary {
   int opencv_number = 0;  // its value in OpenCV's enumeration
   int bits_a_side = 0;    // without the black border, which is one bit wide
   int markers = 0;        // ids are 0 to markers - 1
-  int modules_a_side() const { return bits_a_side + 2; }
+  int modulesASide() const { return bits_a_side + 2; }
 };
 
 // The dictionary of that name, or nothing when there is none.

@@ -85,7 +85,7 @@ TargetSheet frameOf(const Target& target, int face, const std::vector<TargetPoin
 SheetCode codeOf(const TargetSheet& sheet, const TargetMarker& marker,
                  const MarkerDictionary& dictionary) {
   SheetCode code;
-  code.modules_a_side = dictionary.modules_a_side();
+  code.modules_a_side = dictionary.modulesASide();
   code.modules = markerModules(dictionary, marker.id);
   code.origin = sheet.placeOf(marker.corners_in_target[0]);
   code.module.col(0) = sheet.placeOf(marker.corners_in_target[1]) - code.origin;

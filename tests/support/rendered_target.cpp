@@ -36,7 +36,7 @@ class DrawnFace {
     for (const auto& marker : face.markers) {
       const Eigen::Vector2d origin = marker.corners_mm[0];
       markers_.push_back({origin, marker.corners_mm[1] - origin, marker.corners_mm[3] - origin,
-                          markerModules(*dictionary, marker.id), dictionary->modules_a_side()});
+                          markerModules(*dictionary, marker.id), dictionary->modulesASide()});
     }
     for (const auto& dot : target.dots) {
       const Eigen::Vector3d off = dot.centre_in_target - face.origin_in_target;
@@ -171,7 +171,7 @@ World worldOf(const Target& target, const TargetScene& scene, const Eigen::Vecto
       world.loose.push_back({origin, points[i + 1].position_in_target.head<2>() - origin,
                              points[i + 3].position_in_target.head<2>() - origin,
                              markerModules(*dictionary, points[i].marker_id),
-                             dictionary->modules_a_side()});
+                             dictionary->modulesASide()});
     }
     i += 3;
   }

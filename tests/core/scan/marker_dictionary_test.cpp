@@ -36,7 +36,7 @@ TEST(MarkerDictionary, GivesTheModulesThatOpenCvDraws) {
     for (const int id : {0, 1, 17, dictionary->markers - 1}) {
       cv::Mat drawn;
       cv::aruco::drawMarker(cv::aruco::getPredefinedDictionary(dictionary->opencv_number), id,
-                            dictionary->modules_a_side(), drawn);
+                            dictionary->modulesASide(), drawn);
       const auto modules = markerModules(*dictionary, id);
       ASSERT_EQ(modules.size(), drawn.total());
       for (std::size_t i = 0; i < modules.size(); ++i) {
