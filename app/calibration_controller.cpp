@@ -24,7 +24,7 @@ namespace {
 constexpr double kCaliperSigma_mm = 0.05;  // what a household caliper and a steady hand come to
 // A face tells something from so many of its points on.
 constexpr int kFewestPoints = 8;
-constexpr double kFewestShare = 0.5;
+constexpr double kFewestShare = 0.25;
 
 Result<Target> readChosen(const TargetChoice& choice) {
   const std::string word = choice.word.toStdString();

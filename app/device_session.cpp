@@ -43,6 +43,7 @@ void DeviceSession::open(const QString& turntable, const QString& camera) {
   turntable_word_ = turntable;
   camera_word_ = camera;
   confirmed_ = namesSimulation(turntable.toStdString());
+  preview_failed_ = false;
   auto result = std::make_shared<Opened>();
   table_jobs_.start(
       [result, options = options_, turntable_word = turntable.toStdString(),
@@ -63,7 +64,6 @@ void DeviceSession::open(const QString& turntable, const QString& camera) {
         rig_ = std::exchange(result->rig, nullptr);
         Q_EMIT opened(result->turntable, result->camera);
         Q_EMIT angleKnownDeg(result->angle_deg);
-        startPreview();
       });
 }
 
@@ -79,10 +79,7 @@ void DeviceSession::confirmTurntable() { confirmed_ = true; }
 
 void DeviceSession::runAlone(JobRunner::Job job, JobRunner::Done done) {
   camera_jobs_.requestStop();
-  table_jobs_.start(std::move(job), [this, done = std::move(done)](const Result<void>& outcome) {
-    done(outcome);
-    startPreview();
-  });
+  table_jobs_.start(std::move(job), std::move(done));
 }
 
 void DeviceSession::requestStop() {
@@ -149,7 +146,7 @@ void DeviceSession::lockCamera() {
 }
 
 void DeviceSession::startPreview() {
-  if (!isOpen() || camera_jobs_.busy() || table_jobs_.busy()) return;
+  if (!isOpen() || busy() || preview_failed_) return;
   camera_jobs_.start(
       [this, rig = rig_](const Task& task) -> Result<void> {
         while (!task.stopRequested()) {
@@ -169,12 +166,15 @@ void DeviceSession::startPreview() {
       },
       [this](const Result<void>& outcome) {
         if (!outcome && outcome.error().code != Error::Code::kCancelled) {
+          preview_failed_ = true;  // said once; not again and again
           Q_EMIT failed(outcome.error());
         }
       });
 }
 
+// A job's own `done` still counts as busy: whatever goes on by itself begins here.
 void DeviceSession::noteIdle() {
+  startPreview();
   if (!busy()) Q_EMIT idle();
 }
 

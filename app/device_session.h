@@ -30,7 +30,7 @@ class DeviceSession final : public QObject {
   const QString& turntableWord() const { return turntable_word_; }
   const QString& cameraWord() const { return camera_word_; }
 
-  // A job that has turntable and camera to itself; preview pauses meanwhile.
+  // A job that has turntable and camera to itself; the live picture pauses meanwhile.
   void runAlone(JobRunner::Job job, JobRunner::Done done);
   // The running job ends soon, and the table stands.
   void requestStop();
@@ -66,6 +66,7 @@ class DeviceSession final : public QObject {
   QString turntable_word_;
   QString camera_word_;
   bool confirmed_ = false;
+  bool preview_failed_ = false;
   Latest<FramePtr> newest_;
   JobRunner table_jobs_;
   JobRunner camera_jobs_;

@@ -52,7 +52,7 @@ Result<RigState> placeTarget(const Calibration& calibration, std::span<const Tar
   RigFreedom freedom;
   freedom.axis = false;
   for (const double loss : {10.0 * kLoss_sigma, kLoss_sigma}) {
-    auto solved = solveRig(scene, freedom, {}, *start, loss, task);
+    auto solved = solveRig(scene, {freedom, {}, loss}, *start, task);
     if (!solved) return solved.error();
   }
   if (auto fits = checkFits(scene, *start, options, target.name); !fits) return fits.error();

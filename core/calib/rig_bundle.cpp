@@ -89,7 +89,7 @@ Result<void> solveRobustly(const RigScene& scene, const RigFreedom& freedom,
                            const RigPriors& priors, RigState& state, const Task& task) {
   for (int round = 0; round < kRobustRounds; ++round) {
     const double loss = kLossOverScatter * std::max(scatterOf(scene, state), 1e-3);
-    if (auto solved = solveRig(scene, freedom, priors, state, loss, task); !solved) return solved;
+    if (auto solved = solveRig(scene, {freedom, priors, loss}, state, task); !solved) return solved;
   }
   return {};
 }
@@ -127,7 +127,7 @@ Result<void> learnFolds(const RigScene& scene, const RigFreedom& freedom, RigPri
     learn({0, 3}, kLeastFold_rad, folds.turn_rad);
     learn({3, 3}, kLeastFold_mm, folds.shift_mm);
     learn({6, 3}, kLeastFold_mm, folds.bow_mm);
-    if (auto solved = solveRig(scene, freedom, priors, state, std::nullopt, task); !solved) {
+    if (auto solved = solveRig(scene, {freedom, priors, std::nullopt}, state, task); !solved) {
       return solved;
     }
     const bool settled = folds.turn_rad > kSettled * before.turn_rad &&
@@ -139,10 +139,10 @@ Result<void> learnFolds(const RigScene& scene, const RigFreedom& freedom, RigPri
 }
 
 // Drops what is far off and solves the rest with plain squares, until nothing changes.
-Result<void> solveCleanly(RigScene& scene, const RigFreedom& freedom, const RigPriors& priors,
-                          RigState& state, const RigBundleOptions& options, const Task& task) {
+Result<void> solveCleanly(RigScene& scene, const RigSolve& solve, RigState& state,
+                          double outlier_sigma, const Task& task) {
   for (int round = 0; round < kCleanRounds; ++round) {
-    const double limit = options.outlier_sigma * std::max(scatterOf(scene, state), 1e-3);
+    const double limit = outlier_sigma * std::max(scatterOf(scene, state), 1e-3);
     const std::vector<Eigen::Vector2d> residuals = residualsOf(scene, state);
     bool changed = false;
     for (std::size_t i = 0; i < residuals.size(); ++i) {
@@ -152,7 +152,7 @@ Result<void> solveCleanly(RigScene& scene, const RigFreedom& freedom, const RigP
       seen.used = used;
     }
     if (round > 0 && !changed) break;
-    if (auto solved = solveRig(scene, freedom, priors, state, std::nullopt, task); !solved) {
+    if (auto solved = solveRig(scene, solve, state, task); !solved) {
       return solved;
     }
   }
@@ -186,7 +186,9 @@ Result<RigCalibration> calibrateRig(std::span<const TargetView> views, const Tar
   }
   if (auto fits = checkFits(scene, state, options, target.name); !fits) return fits.error();
   task.report(0.7, "Leaving out what does not fit");
-  if (auto solved = solveCleanly(scene, freedom, priors, state, options, task); !solved) {
+  if (auto solved =
+          solveCleanly(scene, {freedom, priors, std::nullopt}, state, options.outlier_sigma, task);
+      !solved) {
     return solved.error();
   }
   if (auto solved = learnFolds(scene, freedom, priors, state, task); !solved) {

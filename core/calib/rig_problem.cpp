@@ -207,8 +207,8 @@ Result<void> runSolver(ceres::Problem& problem, const Task& task) {
 
 }  // namespace
 
-Result<void> solveRig(const RigScene& scene, const RigFreedom& freedom, const RigPriors& priors,
-                      RigState& state, std::optional<double> loss_scale, const Task& task) {
+Result<void> solveRig(const RigScene& scene, const RigSolve& solve, RigState& state,
+                      const Task& task) {
   if (task.stopRequested()) return cancelled();
   try {
     Blocks blocks;
@@ -216,14 +216,15 @@ Result<void> solveRig(const RigScene& scene, const RigFreedom& freedom, const Ri
     ceres::Problem problem;
     for (const RigSighting& seen : scene.sightings) {
       if (!seen.used) continue;
-      ceres::LossFunction* loss = loss_scale ? new ceres::CauchyLoss(*loss_scale) : nullptr;
+      ceres::LossFunction* loss =
+          solve.loss_scale ? new ceres::CauchyLoss(*solve.loss_scale) : nullptr;
       problem.AddResidualBlock(new SightingCost(state.frames, scene.points[seen.point], seen), loss,
                                blocks.camera.data(), blocks.axis.data(), blocks.target.data(),
                                &state.angles_rad[seen.view],
                                state.faces[scene.face_of[seen.point]].data(), &state.page_stretch);
     }
-    addPriors(problem, scene, priors, state);
-    holdFixed(problem, freedom, blocks, state);
+    addPriors(problem, scene, solve.priors, state);
+    holdFixed(problem, solve.freedom, blocks, state);
     if (auto solved = runSolver(problem, task); !solved) return solved;
     settle(blocks, state);
     return {};

@@ -76,10 +76,17 @@ struct RigPriors {
   double page_stretch = 0.0025;
 };
 
-// Moves the state to the least sum of squares, in units of the sightings' sigma. Residuals beyond
-// loss_scale sigma lose weight (Cauchy); none: plain squares.
-Result<void> solveRig(const RigScene& scene, const RigFreedom& freedom, const RigPriors& priors,
-                      RigState& state, std::optional<double> loss_scale, const Task& task);
+// What one solve may move, what it believes beforehand, and how it weighs what is far off.
+struct RigSolve {
+  RigFreedom freedom;
+  RigPriors priors;
+  // Residuals beyond so many sigma lose weight (Cauchy); none: plain squares.
+  std::optional<double> loss_scale;
+};
+
+// Moves the state to the least sum of squares, in units of the sightings' sigma.
+Result<void> solveRig(const RigScene& scene, const RigSolve& solve, RigState& state,
+                      const Task& task);
 
 // Seen minus computed, one a sighting. [px]; not finite for a point behind the camera
 std::vector<Eigen::Vector2d> residualsOf(const RigScene& scene, const RigState& state);

@@ -80,7 +80,10 @@ std::optional<double> stepScaleFrom(const std::vector<std::optional<double>>& co
     double cost;
   };
   std::vector<Candidate> candidates;
-  for (double scale = -kMostStepScale; scale <= kMostStepScale + step; scale += step) {
+  const int count = static_cast<int>(2.0 * kMostStepScale / step) + 2;
+  candidates.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const double scale = -kMostStepScale + i * step;
     candidates.push_back({scale, costOf(pairs, scale)});
   }
   std::vector<Candidate> minima;

@@ -106,7 +106,7 @@ void turnOutward(const std::vector<std::optional<Plane>>& planes,
     }
   }
   if (flattest == planes.size()) return;
-  const auto lieAbove = [&](std::size_t face, const Eigen::Vector3d& normal) {
+  const auto lie_above = [&](std::size_t face, const Eigen::Vector3d& normal) {
     double sum = 0.0;
     for (const auto& other : planes) {
       if (other) sum += normal.dot(other->middle - planes[face]->middle);
@@ -116,13 +116,13 @@ void turnOutward(const std::vector<std::optional<Plane>>& planes,
   const Eigen::Vector3d up = planes[flattest]->normal.z() < 0.0
                                  ? Eigen::Vector3d(-planes[flattest]->normal)
                                  : planes[flattest]->normal;
-  const bool hollow = lieAbove(flattest, up);
+  const bool hollow = lie_above(flattest, up);
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (!planes[i] || outward[i]) continue;
     if (i == flattest) {
       outward[i] = up;
     } else {
-      const bool as_is = lieAbove(i, planes[i]->normal) == hollow;
+      const bool as_is = lie_above(i, planes[i]->normal) == hollow;
       outward[i] = as_is ? planes[i]->normal : Eigen::Vector3d(-planes[i]->normal);
     }
   }
@@ -153,6 +153,71 @@ void measureClearance(TargetFace& face) {
   }
 }
 
+// The corners that belong to each face.
+std::vector<Members> membersOf(const std::vector<TargetPoint>& points, std::size_t faces) {
+  std::vector<Members> members(faces);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].face < 0 || points[i].corner_id < 0) continue;
+    Members& own = members[static_cast<std::size_t>(points[i].face)];
+    own.points.push_back(static_cast<int>(i));
+    own.positions.push_back(points[i].position_in_target);
+  }
+  return members;
+}
+
+// Which way each face looks as its markers and its page tell; nothing where neither does.
+std::vector<std::optional<Eigen::Vector3d>> outwardAsPrinted(
+    const Target& target, const std::vector<TargetPoint>& points) {
+  std::vector<std::optional<Eigen::Vector3d>> outward(target.faces.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].face < 0 || points[i].marker_id < 0) continue;
+    // Clockwise from outside: the first side, then the second, turn about the inward direction.
+    const auto corner = [&](std::size_t k) { return points[i + k].position_in_target; };
+    outward[static_cast<std::size_t>(points[i].face)] =
+        -(corner(1) - corner(0)).cross(corner(2) - corner(1)).normalized();
+    i += 3;
+  }
+  for (std::size_t i = 0; i < std::min(outward.size(), target.page_axes.size()); ++i) {
+    const PageAxes& axes = target.page_axes[i];
+    const Eigen::Vector3d out = axes.down_in_target.cross(axes.right_in_target);
+    if (out.norm() > 0.5) outward[i] = out.normalized();
+  }
+  return outward;
+}
+
+// Of the lattice's four directions the one that was right on the page; any one without a page.
+Eigen::Vector3d rightOnFace(const Target& target, std::size_t face, const Eigen::Vector3d& step,
+                            const Eigen::Vector3d& out) {
+  Eigen::Vector3d right = (step - step.dot(out) * out).normalized();
+  if (face >= target.page_axes.size()) return right;
+  const Eigen::Vector3d page_right = target.page_axes[face].right_in_target;
+  if (page_right.norm() <= 0.5) return right;
+  const Eigen::Vector3d across = right.cross(out);
+  if (std::abs(across.dot(page_right)) > std::abs(right.dot(page_right))) right = across;
+  return right.dot(page_right) < 0.0 ? Eigen::Vector3d(-right) : right;
+}
+
+void placeCorners(TargetFace& face, const Members& members) {
+  double step_mm = std::numeric_limits<double>::max();
+  for (std::size_t k = 0; k < members.points.size(); ++k) {
+    face.corners.push_back({members.points[k], face.placeOf(members.positions[k]), 0.0});
+    if (k > 0) step_mm = std::min(step_mm, (members.positions[k] - members.positions[0]).norm());
+  }
+  face.grid = gridOf(face.corners, step_mm);
+}
+
+void placeMarkers(TargetFace& face, const std::vector<TargetPoint>& points) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].marker_id < 0 || points[k].face != face.index) continue;
+    TargetFace::Marker marker{points[k].marker_id, static_cast<int>(k), {}};
+    for (std::size_t c = 0; c < 4; ++c) {
+      marker.corners_mm[c] = face.placeOf(points[k + c].position_in_target);
+    }
+    face.markers.push_back(marker);
+    k += 3;
+  }
+}
+
 }  // namespace
 
 int FaceGrid::cornerAt(int column, int row) const {
@@ -176,31 +241,10 @@ Eigen::Vector3d TargetFace::pointAt(const Eigen::Vector2d& place_mm) const {
 std::vector<TargetFace> facesOf(const Target& target) {
   const std::vector<TargetPoint> points = pointsOf(target);
   const std::size_t count = target.faces.size();
-  std::vector<Members> members(count);
-  std::vector<std::optional<Eigen::Vector3d>> outward(count);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].face < 0) continue;
-    const auto face = static_cast<std::size_t>(points[i].face);
-    if (points[i].corner_id >= 0) {
-      members[face].points.push_back(static_cast<int>(i));
-      members[face].positions.push_back(points[i].position_in_target);
-    }
-  }
+  const std::vector<Members> members = membersOf(points, count);
   std::vector<std::optional<Plane>> planes(count);
   for (std::size_t i = 0; i < count; ++i) planes[i] = planeOf(members[i].positions);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].face < 0 || points[i].marker_id < 0) continue;
-    // Clockwise from outside: the first side, then the second, turn about the inward direction.
-    const auto corner = [&](std::size_t k) { return points[i + k].position_in_target; };
-    outward[static_cast<std::size_t>(points[i].face)] =
-        -(corner(1) - corner(0)).cross(corner(2) - corner(1)).normalized();
-    i += 3;
-  }
-  for (std::size_t i = 0; i < std::min(count, target.page_axes.size()); ++i) {
-    const PageAxes& axes = target.page_axes[i];
-    const Eigen::Vector3d out = axes.down_in_target.cross(axes.right_in_target);
-    if (out.norm() > 0.5) outward[i] = out.normalized();
-  }
+  std::vector<std::optional<Eigen::Vector3d>> outward = outwardAsPrinted(target, points);
   turnOutward(planes, outward);
 
   std::vector<TargetFace> faces(count);
@@ -210,35 +254,11 @@ std::vector<TargetFace> facesOf(const Target& target) {
     if (!planes[i] || !outward[i]) continue;
     const Eigen::Vector3d out =
         planes[i]->normal.dot(*outward[i]) > 0.0 ? planes[i]->normal : -planes[i]->normal;
-    const Eigen::Vector3d step = shortestStep(members[i].positions);
     face.origin_in_target = members[i].positions.front();
-    face.right_in_target = (step - step.dot(out) * out).normalized();
-    if (i < target.page_axes.size() && target.page_axes[i].right_in_target.norm() > 0.5) {
-      // Of the lattice's four directions the one that was right on the page.
-      const Eigen::Vector3d page_right = target.page_axes[i].right_in_target;
-      const Eigen::Vector3d across = face.right_in_target.cross(out);
-      if (std::abs(across.dot(page_right)) > std::abs(face.right_in_target.dot(page_right))) {
-        face.right_in_target = across;
-      }
-      if (face.right_in_target.dot(page_right) < 0.0) face.right_in_target *= -1.0;
-    }
+    face.right_in_target = rightOnFace(target, i, shortestStep(members[i].positions), out);
     face.down_in_target = face.right_in_target.cross(out);
-    double step_mm = std::numeric_limits<double>::max();
-    for (std::size_t k = 0; k < members[i].points.size(); ++k) {
-      face.corners.push_back({members[i].points[k], face.placeOf(members[i].positions[k]), 0.0});
-      if (k > 0)
-        step_mm = std::min(step_mm, (members[i].positions[k] - members[i].positions[0]).norm());
-    }
-    face.grid = gridOf(face.corners, step_mm);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (points[k].marker_id < 0 || points[k].face != face.index) continue;
-      TargetFace::Marker marker{points[k].marker_id, static_cast<int>(k), {}};
-      for (std::size_t c = 0; c < 4; ++c) {
-        marker.corners_mm[c] = face.placeOf(points[k + c].position_in_target);
-      }
-      face.markers.push_back(marker);
-      k += 3;
-    }
+    placeCorners(face, members[i]);
+    placeMarkers(face, points);
     measureClearance(face);
   }
   return faces;

@@ -238,6 +238,18 @@ TEST_F(WorkbenchTest, ClosesInTheMiddleOfAScanAndLosesNothing) {
   EXPECT_GE(store->views().size(), 5U);
 }
 
+TEST_F(WorkbenchTest, ShowsTheLivePictureWhileNothingElseRuns) {
+  DeviceSession& devices = controller().devices();
+  QSignalSpy frames(&devices, &DeviceSession::frameArrived);
+  Q_EMIT bench_->window().work_page->device_panel->connectRequested("sim:duck", "sim");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return frames.count() >= 3; }, kPatience_ms));
+  devices.turnByDeg(5.0);
+  QSignalSpy turned(&devices, &DeviceSession::angleKnownDeg);
+  ASSERT_TRUE(turned.wait(kPatience_ms));
+  const auto before = frames.count();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return frames.count() >= before + 3; }, kPatience_ms));
+}
+
 TEST_F(WorkbenchTest, SaysWhyItCannotConnect) {
   WorkPage* page = bench_->window().work_page;
   bench_->window().showWork(Step::kConnect);
