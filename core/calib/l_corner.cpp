@@ -19,8 +19,8 @@ namespace {
 // DET of a right angle is largest 1.17 s inside along either edge, where it is 0.0412 contrast^2.
 constexpr double kRightAngleGain = 0.0412;
 // From the fine maximum the corner lies 2.5 px outwards, more where the angle is sharp.
-constexpr double kFurthestWalk_px = 6.0;
 constexpr double kWalkStep_px = 0.25;
+constexpr int kMostSteps = 24;
 // The maxima of a right angle are 1.65 px apart, of a sharper one more.
 constexpr double kLeastShift_px = 0.3;
 constexpr double kMostShift_px = 4.0;
@@ -62,8 +62,8 @@ cv::Mat laplacianOf(const cv::Mat& blurred) {
 std::optional<Eigen::Vector2d> walkToCorner(const cv::Mat& laplacian, const Eigen::Vector2d& from,
                                             const Eigen::Vector2d& outward) {
   double before = 0.0;
-  for (double way_px = 0.0; way_px <= kFurthestWalk_px; way_px += kWalkStep_px) {
-    const Eigen::Vector2d place = from + way_px * outward;
+  for (int step = 0; step <= kMostSteps; ++step) {
+    const Eigen::Vector2d place = from + step * kWalkStep_px * outward;
     if (!(place.x() >= 0.0 && place.y() >= 0.0 && place.x() < laplacian.cols - 1 &&
           place.y() < laplacian.rows - 1)) {
       return std::nullopt;

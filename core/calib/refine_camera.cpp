@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
 namespace gyre {
@@ -22,8 +23,11 @@ using Intrinsics = std::array<double, kUnknowns>;
 // A turn (angle axis) applied before the start's rotation, then the translation: near zero turns
 // have no singularity.
 using Pose = std::array<double, 6>;
+using IntrinsicsCovariance = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
 constexpr int kMostIterations = 200;
+// Of the normal matrix with a diagonal of ones: below it, rounding decides.
+constexpr double kLeastCondition = 1e-14;
 
 Intrinsics intrinsicsOf(const CameraModel& camera) {
   return {camera.fy,   camera.fx / camera.fy,
@@ -162,6 +166,21 @@ Result<void> checkInput(const CameraModel& start, const std::vector<CameraView>&
   return {};
 }
 
+// J^T J
+Eigen::MatrixXd normalMatrix(const ceres::CRSMatrix& jacobian) {
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(jacobian.num_cols, jacobian.num_cols);
+  for (std::size_t row = 0; row + 1 < jacobian.rows.size(); ++row) {
+    for (int a = jacobian.rows[row]; a < jacobian.rows[row + 1]; ++a) {
+      for (int b = jacobian.rows[row]; b < jacobian.rows[row + 1]; ++b) {
+        const auto i = static_cast<std::size_t>(a);
+        const auto k = static_cast<std::size_t>(b);
+        normal(jacobian.cols[i], jacobian.cols[k]) += jacobian.values[i] * jacobian.values[k];
+      }
+    }
+  }
+  return normal;
+}
+
 // The whole problem, whose parameters live here while Ceres works on them.
 class RefineProblem {
  public:
@@ -169,7 +188,11 @@ class RefineProblem {
                 const RefineOptions& options)
       : start_(start), views_(views), intrinsics_(intrinsicsOf(start)), poses_(views.size()) {
     problem_.AddParameterBlock(intrinsics_.data(), kUnknowns);
-    if (const std::vector<int> held = heldUnknowns(options); !held.empty()) {
+    const std::vector<int> held = heldUnknowns(options);
+    for (int i = 0; i < kUnknowns; ++i) {
+      if (std::find(held.begin(), held.end(), i) == held.end()) free_.push_back(i);
+    }
+    if (!held.empty()) {
       problem_.SetManifold(intrinsics_.data(), new ceres::SubsetManifold(kUnknowns, held));
     }
     for (std::size_t v = 0; v < views.size(); ++v) {
@@ -201,18 +224,28 @@ class RefineProblem {
     return summary.IsSolutionUsable();
   }
 
-  // Of intrinsics_, for sightings of exactly their sigma.
-  std::optional<Eigen::Matrix<double, kUnknowns, kUnknowns>> covariance() {
-    ceres::Covariance::Options options;
-    options.algorithm_type = ceres::SPARSE_QR;
-    options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
-    options.num_threads = 1;
-    ceres::Covariance covariance(options);
-    const std::pair<const double*, const double*> block(intrinsics_.data(), intrinsics_.data());
-    if (!covariance.Compute({block}, &problem_)) return std::nullopt;
-    Eigen::Matrix<double, kUnknowns, kUnknowns, Eigen::RowMajor> result;
-    if (!covariance.GetCovarianceBlock(block.first, block.second, result.data())) {
-      return std::nullopt;
+  // Of the free intrinsics, for sightings of exactly their sigma; zero where held. Nothing when the
+  // sightings do not determine all that is free.
+  std::optional<IntrinsicsCovariance> covariance() {
+    ceres::CRSMatrix jacobian;
+    if (!problem_.Evaluate({}, nullptr, nullptr, nullptr, &jacobian)) return std::nullopt;
+    // The first columns are the free intrinsics, for their block was added first.
+    Eigen::MatrixXd normal = normalMatrix(jacobian);
+    const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt();
+    if (!(scale.minCoeff() > 0.0)) return std::nullopt;
+    normal = scale.cwiseInverse().asDiagonal() * normal * scale.cwiseInverse().asDiagonal();
+    const Eigen::LDLT<Eigen::MatrixXd> ldlt(normal);
+    if (ldlt.info() != Eigen::Success || !(ldlt.rcond() > kLeastCondition)) return std::nullopt;
+    const Eigen::Index size = normal.rows();
+    const auto free_count = static_cast<Eigen::Index>(free_.size());
+    Eigen::MatrixXd inverse = ldlt.solve(Eigen::MatrixXd::Identity(size, free_count));
+    inverse = scale.cwiseInverse().asDiagonal() * inverse;
+    IntrinsicsCovariance result = IntrinsicsCovariance::Zero();
+    for (Eigen::Index i = 0; i < free_count; ++i) {
+      for (Eigen::Index k = 0; k < free_count; ++k) {
+        result(free_[static_cast<std::size_t>(i)], free_[static_cast<std::size_t>(k)]) =
+            inverse(i, k) / scale[k];
+      }
     }
     return result;
   }
@@ -231,6 +264,7 @@ class RefineProblem {
   const std::vector<CameraView>& views_;
   Intrinsics intrinsics_;
   std::vector<Pose> poses_;
+  std::vector<int> free_;
   ceres::Problem problem_;
 };
 
@@ -255,8 +289,7 @@ double measureResiduals(const std::vector<CameraView>& views, RefinedCamera& ref
 }
 
 // fx = fy aspect, the rest as it is.
-CameraCovariance cameraCovariance(const Eigen::Matrix<double, kUnknowns, kUnknowns>& unknowns,
-                                  const CameraModel& camera) {
+CameraCovariance cameraCovariance(const IntrinsicsCovariance& unknowns, const CameraModel& camera) {
   CameraCovariance camera_from_unknowns = CameraCovariance::Identity();
   camera_from_unknowns(kFx, kFocal) = camera.fx / camera.fy;
   camera_from_unknowns(kFx, kAspect) = camera.fy;

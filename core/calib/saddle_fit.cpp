@@ -29,7 +29,7 @@ constexpr double kLeastRing_px = 3.0;
 // disc: constant for a disc centred on the estimate, so computed once a radius.
 struct DiscFit {
   std::vector<Eigen::Vector2i> offsets;
-  Eigen::Matrix<double, 5, Eigen::Dynamic> coefficients_from_samples;  // a b c d e
+  Eigen::Matrix<float, 5, Eigen::Dynamic, Eigen::RowMajor> coefficients_from_samples;  // a b c d e
   double slope_noise = 0.0;  // standard deviation of d and of e for noise 1 before the blur
 };
 
@@ -75,9 +75,9 @@ DiscFit prepareDisc(int radius_px) {
   }
   const Eigen::Map<const Eigen::VectorXd> weight(weights.data(), count);
   const Eigen::MatrixXd weighted = design.transpose() * weight.asDiagonal();
-  fit.coefficients_from_samples = ((weighted * design).inverse() * weighted).topRows<5>();
-  fit.slope_noise =
-      noiseThroughBlur(fit.offsets, fit.coefficients_from_samples.row(3).transpose(), radius_px);
+  const Eigen::MatrixXd all = (weighted * design).inverse() * weighted;
+  fit.coefficients_from_samples = all.topRows<5>().cast<float>();
+  fit.slope_noise = noiseThroughBlur(fit.offsets, all.row(3).transpose(), radius_px);
   return fit;
 }
 
@@ -99,6 +99,10 @@ bool discInside(const cv::Mat& picture, const Eigen::Vector2d& centre_px, int ra
          centre_px.x() <= picture.cols - 1 - reach && centre_px.y() <= picture.rows - 1 - reach;
 }
 
+// As many as the largest disc has at most, so that none is allocated.
+constexpr int kMostSamples = (2 * kMostSaddleRadius_px + 1) * (2 * kMostSaddleRadius_px + 1);
+using Samples = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, kMostSamples, 1>;
+
 struct Quadric {
   Eigen::Matrix2d hessian;
   Eigen::Vector2d slope;  // at the centre of the disc
@@ -115,14 +119,15 @@ Quadric quadricAround(const cv::Mat& blurred, const Eigen::Vector2d& centre_px,
   const float k10 = x * (1.0F - y);
   const float k01 = (1.0F - x) * y;
   const float k11 = x * y;
-  Eigen::Matrix<double, 5, 1> k = Eigen::Matrix<double, 5, 1>::Zero();
+  Samples samples(static_cast<Eigen::Index>(disc.offsets.size()));
   for (std::size_t i = 0; i < disc.offsets.size(); ++i) {
     const Eigen::Vector2i& offset = disc.offsets[i];
     const float* above = blurred.ptr<float>(row + offset.y()) + column + offset.x();
     const float* below = blurred.ptr<float>(row + offset.y() + 1) + column + offset.x();
-    const float sample = k00 * above[0] + k10 * above[1] + k01 * below[0] + k11 * below[1];
-    k += disc.coefficients_from_samples.col(static_cast<Eigen::Index>(i)) * sample;
+    samples[static_cast<Eigen::Index>(i)] =
+        k00 * above[0] + k10 * above[1] + k01 * below[0] + k11 * below[1];
   }
+  const Eigen::Matrix<double, 5, 1> k = (disc.coefficients_from_samples * samples).cast<double>();
   Quadric quadric;
   quadric.hessian << 2.0 * k[0], k[1], k[1], 2.0 * k[2];
   quadric.slope << k[3], k[4];
