@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/sim_target.h"
 #include "core/base/check.h"
 #include "core/device/folder_camera.h"
 #include "core/device/opencv_source.h"
@@ -28,8 +29,7 @@ Result<std::unique_ptr<SimulatedRoom>> furnish(const std::string& turntable_word
                                                const RigOptions& options) {
   auto room = std::make_unique<SimulatedRoom>();
   room->settings = options.sim;
-  const std::string object = simulatedObject(turntable_word);
-  if (!object.empty()) room->settings.object = object;
+  placeObject(simulatedObject(turntable_word), room->settings);
   if (const auto valid = room->settings.validate(); !valid) return valid.error();
   room->shaft = std::make_shared<Shaft>();
   TurntableFirmwareOptions firmware;
@@ -71,7 +71,9 @@ Result<std::unique_ptr<Camera>> openSimulated(const RigOptions& options, Simulat
                  "The simulated camera sees only the simulated turntable.",
                  "Use `--turntable sim` with it, or name a real camera."};
   }
-  room->renderer = std::make_shared<const Renderer>(room->settings);
+  auto target = simulatedTarget(room->settings);
+  if (!target) return target.error();
+  room->renderer = std::make_shared<const Renderer>(room->settings, std::move(target).value());
   auto source =
       std::make_unique<SimCamera>(room->renderer, room->shaft, SimClock(options.sim_speed));
   room->camera = source.get();

@@ -45,7 +45,8 @@ struct Rig {
   std::unique_ptr<Camera> camera;
 };
 
-// "sim" or "sim:OBJECT", and the object (empty when none is named). For other words: false.
+// "sim" or "sim:OBJECT", and the object (empty when none is named); the object may be
+// "target:NAME_OR_FILE" (see placeObject). For other words: false.
 bool namesSimulation(const std::string& word);
 std::string simulatedObject(const std::string& turntable_word);
 

@@ -50,6 +50,8 @@ Result<Plan> planOf(const Words& words) {
     if (!rig) return rig.error();
     plan.options.sim = *rig;
     plan.settings.sim_rig_json = rigToJson(*rig);
+    // The rig's record tells all: what the word named is found again from any folder.
+    if (rig->object == "target") plan.settings.turntable = "sim";
   }
   if (!words.calibration.empty()) {
     auto calibration = readCalibration(words.calibration);
@@ -76,7 +78,7 @@ int run(const Words& words, Console& console, const Task& task) {
   auto plan = planOf(words);
   if (!plan) return console.fail(plan.error());
   task.report(0.0, "Opening turntable and camera");
-  auto rig = openRig(words.settings.turntable, words.settings.camera, plan->options, task);
+  auto rig = openRig(plan->settings.turntable, plan->settings.camera, plan->options, task);
   if (!rig) return console.fail(rig.error());
   tellDevices(console, *rig);
   auto store = ScanStore::create(words.out, plan->settings, plan->calibration);
@@ -91,7 +93,9 @@ void addScan(CLI::App& app, Run& chosen) {
   auto words = std::make_shared<Words>();
   ScanSettings& settings = words->settings;
   CLI::App* command = app.add_subcommand("scan", "Scan what stands on the turntable");
-  command->add_option("--turntable", settings.turntable, "PORT, tcp:HOST:PORT or sim[:OBJECT]")
+  command
+      ->add_option("--turntable", settings.turntable,
+                   "PORT, tcp:HOST:PORT, sim[:OBJECT] or sim:target[:FILE]")
       ->required();
   command->add_option("--camera", settings.camera, "Number, /dev/video, URL, folder or sim")
       ->required();

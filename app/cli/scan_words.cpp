@@ -5,6 +5,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/sim_target.h"
 #include "core/io/file_bytes.h"
 #include "core/sim/rig_json.h"
 
@@ -35,7 +36,7 @@ Result<RigSettings> simulatedRig(const SimWords& words, const std::string& objec
   }
   if (words.seed >= 0) rig.seed = words.seed;
   if (words.glossy) rig.material = "glossy";
-  if (!object.empty()) rig.object = object;
+  placeObject(object, rig);
   if (const auto valid = rig.validate(); !valid) return valid.error();
   return rig;
 }

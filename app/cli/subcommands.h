@@ -21,6 +21,7 @@ void addCompare(CLI::App& app, Run& chosen);
 void addDemo(CLI::App& app, Run& chosen);
 void addDevices(CLI::App& app, Run& chosen);
 void addMesh(CLI::App& app, Run& chosen);
+void addPrintTarget(CLI::App& app, Run& chosen);
 void addReconstruct(CLI::App& app, Run& chosen);
 void addResume(CLI::App& app, Run& chosen);
 void addScan(CLI::App& app, Run& chosen);

@@ -37,6 +37,11 @@ void flap(const Vector2d& from, const Vector2d& to, double depth_mm, PrintDrawin
   net.lines.push_back({Kind::kFlap, from, outer_from});
   net.lines.push_back({Kind::kFlap, outer_from, outer_to});
   net.lines.push_back({Kind::kFlap, outer_to, to});
+  constexpr double kWordWidth_mm = 12.0;
+  constexpr double kWordHeight_mm = 4.0;
+  const Vector2d size(kWordWidth_mm, kWordHeight_mm);
+  net.texts.push_back({0.5 * (from + to) + 0.5 * outward - 0.5 * size, size, "glue",
+                       PrintText::Style::kSmall, PrintText::Align::kCentre});
 }
 
 void label(const Vector2d& centre, const std::string& words, PrintDrawing& net) {

@@ -86,12 +86,12 @@ PrintDrawing sheetOf(const StandardTarget& target, const PageSize& page) {
   addRuler({ruler_x, ruler_y}, Vector2d::UnitX(), sheet);
   addRuler({kDownRulerX_mm + kEndMark_mm, kDownRulerY_mm}, Vector2d::UnitY(), sheet);
   const double beside = ruler_x + kRuler_mm + 4.0;
-  sheet.texts.push_back(
-      {{beside, ruler_y - 5.0},
-       {page.width_mm - kRim_mm - beside, 12.0},
-       "Rulers, 100 mm right and 100 mm down. Measure both with a caliper, from the middle of one "
-       "long mark to the middle of the other, and type what you read in Gyre.",
-       Style::kSmall});
+  sheet.texts.push_back({{beside, ruler_y - 5.0},
+                         {page.width_mm - kRim_mm - beside, 12.0},
+                         "Two rulers, right and down, of 100 mm each. Measure both with a caliper, "
+                         "from the middle of "
+                         "one long mark to the middle of the other, and tell Gyre what you read.",
+                         Style::kSmall});
   const double steps_y = ruler_y + 8.0;
   write(steps_y, page.height_mm - 12.0 - steps_y, numbered(target.steps), Style::kSmall);
   write(page.height_mm - 12.0, 4.0,

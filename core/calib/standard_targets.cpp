@@ -82,7 +82,7 @@ void drawCubeNet(const CubePanels& panels, PrintDrawing& net) {
 }
 
 std::vector<std::string> cubeSteps() {
-  return {"Cut along the solid lines, with the seven flaps.",
+  return {"Cut along the outer solid lines; the seven flaps stay on.",
           "Score the dashed lines with a blunt blade along a ruler, and fold them away from the "
           "print to right angles.",
           "Glue each flap behind the neighbouring side, the base last; press until it is dry. The "
@@ -160,6 +160,8 @@ void drawWedgeNet(const WedgeShape& shape, PrintDrawing& net) {
   flap({left, heel}, left_apex, kFlap_mm, net);
   flap(left_apex, {left, toe}, kFlap_mm, net);
   label({0.5 * (left + right), 0.5 * (toe + heel)}, "Base: stands on the table", net);
+  label({right + 0.4 * shape.height_mm, apex_y}, "Wall", net);
+  label({left - 0.4 * shape.height_mm, apex_y}, "Wall", net);
 }
 
 StandardTarget wedge() {
@@ -169,7 +171,7 @@ StandardTarget wedge() {
   made.title = "Coded wedge";
   made.purpose = "The easiest to fold, and good enough for every rig whose camera looks down.";
   made.steps = {
-      "Cut along the solid lines, with the five flaps.",
+      "Cut along the outer solid lines; the five flaps stay on.",
       "Score the dashed lines with a blunt blade along a ruler, and fold all of them away from the "
       "print.",
       "Glue the long flap behind the edge of the upper panel, then the flaps of both walls behind "

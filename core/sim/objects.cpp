@@ -69,6 +69,7 @@ SimObject::SimObject(const RigSettings& rig)
     : texture_(hashWords({static_cast<std::uint64_t>(rig.seed), kTextureUse}),
                rig.texture_finest_mm, std::max(11.0, 2.0 * rig.texture_finest_mm)) {
   GYRE_CHECK(rig.validate().ok());
+  if (rig.object == "target") return;
   const ObjectModel model = objectModel(rig.object);
   paint_of_model_ = model.paint;
   contrast_ = static_cast<float>(rig.texture_contrast * model.texture);

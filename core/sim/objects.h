@@ -11,7 +11,8 @@ namespace gyre {
 // An object as it stands on the platter, in the table frame. Any thread may ask.
 class SimObject {
  public:
-  // The settings must be valid. Takes about 0.2 s; the same settings give the same object.
+  // The settings must be valid. Takes about 0.2 s; the same settings give the same object. Nothing
+  // (an empty mesh) when the object is a calibration target, which is a PrintedTarget.
   explicit SimObject(const RigSettings& rig);
 
   // Closed, manifold, oriented outward, standing on z = 0, vertices at most 0.5 mm apart for an

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/check.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/geometry/ray.h"
@@ -16,6 +17,8 @@ namespace gyre {
 
 // One angle of the table, seen from the table: the object rests and the camera goes round.
 struct Renderer::View {
+  bool shows_object = false;
+  bool shows_target = false;
   double table_angle_rad = 0.0;
   Eigen::Matrix3f table_from_base;
   Eigen::Vector3f camera_in_table;
@@ -53,47 +56,92 @@ std::vector<std::uint8_t> smoothTriangles(const Mesh& mesh) {
   return smooth;
 }
 
-// Pixels whose rays cross the cylinder that the object sweeps as it turns.
-std::vector<std::uint8_t> sweptPixels(const Mesh& mesh, const Stage& stage, std::size_t pixels) {
+// Marks the pixels whose rays cross the cylinder that the mesh sweeps as it turns.
+void markSwept(const Mesh& mesh, const Stage& stage, std::vector<std::uint8_t>& swept) {
+  if (mesh.vertices.empty()) return;
   double radius = 0.0;
   double height = 0.0;
   for (const MeshVertex& vertex : mesh.vertices) {
     radius = std::max(radius, vertex.position.head<2>().norm());
     height = std::max(height, vertex.position.z());
   }
-  std::vector<std::uint8_t> swept(pixels);
-  parallelFor(pixels, 16384, [&](std::size_t begin, std::size_t end) {
+  parallelFor(swept.size(), 16384, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Ray ray{stage.cameraInBase(), stage.direction(i).cast<double>().normalized()};
       const auto span = crossCylinder(ray, radius + 1.0, -1.0, height + 1.0);
-      swept[i] = span && span->to > 0.0 ? 1 : 0;
+      if (span && span->to > 0.0) swept[i] = 1;
     }
   });
-  return swept;
+}
+
+const Mesh& meshOf(const PrintedTarget* target) {
+  static const Mesh kNone;
+  return target != nullptr ? target->mesh() : kNone;
 }
 
 }  // namespace
 
-Renderer::Renderer(const RigSettings& rig)
+Renderer::Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target)
     : rig_(rig),
       object_(rig),
+      target_(std::move(target)),
       scene_(object_.mesh()),
+      target_scene_(meshOf(target_.get())),
       stage_(rig),
-      sensor_(rig.blur_sigma_px, rig.noise_sigma),
+      sensor_(rig.blur_sigma_px, rig.noise_sigma, rig.exposure_gain),
       light_in_base_(keyLightInBase(rig)),
       is_smooth_(smoothTriangles(object_.mesh())),
-      may_see_object_(sweptPixels(object_.mesh(), stage_,
-                                  static_cast<std::size_t>(rig.image_width_px) *
-                                      static_cast<std::size_t>(rig.image_height_px))) {}
+      may_see_object_(static_cast<std::size_t>(rig.image_width_px) *
+                      static_cast<std::size_t>(rig.image_height_px)) {
+  GYRE_CHECK(target_ != nullptr || !targetIsObject());
+  markSwept(object_.mesh(), stage_, may_see_object_);
+  markSwept(meshOf(target_.get()), stage_, may_see_object_);
+}
 
-Renderer::View Renderer::viewAt(std::int64_t steps) const {
+Renderer::View Renderer::viewAt(std::int64_t steps, TableLoad load) const {
   View view;
+  view.shows_object = load == TableLoad::kObject && !targetIsObject();
+  view.shows_target = target_ != nullptr && (load == TableLoad::kObject || !targetIsObject());
   view.table_angle_rad = trueAngleRad(rig_, steps);
   const Eigen::Matrix3d table_from_base = baseFromTable(view.table_angle_rad).rotation.transpose();
   view.table_from_base = table_from_base.cast<float>();
   view.camera_in_table = (table_from_base * stage_.cameraInBase()).cast<float>();
   view.light_in_table = (table_from_base * light_in_base_).cast<float>();
   return view;
+}
+
+Renderer::Hits Renderer::shoot(const RayPacket& rays, const View& view) const {
+  Hits hits;
+  if (view.shows_object) hits.nearest = scene_.closest(rays);
+  if (!view.shows_target) return hits;
+  const auto on_target = target_scene_.closest(rays);
+  for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
+    RayHit& nearest = hits.nearest[i];
+    if (on_target[i].triangle == RayHit::kNone) continue;
+    if (nearest.triangle != RayHit::kNone && nearest.distance <= on_target[i].distance) continue;
+    nearest = on_target[i];
+    hits.on_paper[i] = true;
+  }
+  return hits;
+}
+
+// Paper is flat: the facet's own normal, turned to the side that is seen.
+Renderer::Surfel Renderer::paperSurfelOf(const RayHit& hit, const Eigen::Vector3f& direction,
+                                         const View& view) const {
+  const Mesh& mesh = target_->mesh();
+  const MeshVertex& corner = mesh.vertices[mesh.triangles[hit.triangle][0]];
+  const Eigen::Vector3d ray = (view.table_from_base * direction).cast<double>();
+  const Eigen::Vector3d origin = view.camera_in_table.cast<double>();
+  const double slope = corner.normal.dot(ray);
+  const double depth = std::abs(slope) > 1e-6 ? corner.normal.dot(corner.position - origin) / slope
+                                              : static_cast<double>(hit.distance);
+  Surfel surfel;
+  surfel.depth_mm = static_cast<float>(depth);
+  surfel.point = (origin + depth * ray).cast<float>();
+  surfel.normal = (slope > 0.0 ? -1.0F : 1.0F) * corner.normal.cast<float>();
+  surfel.paint = Eigen::Vector3f::Ones();
+  surfel.paper = hit.triangle;
+  return surfel;
 }
 
 Renderer::Surfel Renderer::surfelOf(const RayHit& hit, const Eigen::Vector3f& direction,
@@ -148,16 +196,23 @@ void Renderer::traceRow(int y, const View& view, Surfel* row) const {
                         : Eigen::Vector3f::UnitX();
     }
     if (!any) continue;
-    const auto hits = scene_.closest(rays);
+    const Hits hits = shoot(rays, view);
     for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
-      if (hits[i].triangle == RayHit::kNone) continue;
+      if (hits.nearest[i].triangle == RayHit::kNone) continue;
       const std::size_t column = static_cast<std::size_t>(x) + i;
-      row[column] = surfelOf(hits[i], stage_.direction(first + column), view);
+      const Eigen::Vector3f& direction = stage_.direction(first + column);
+      row[column] = hits.on_paper[i] ? paperSurfelOf(hits.nearest[i], direction, view)
+                                     : surfelOf(hits.nearest[i], direction, view);
     }
   }
 }
 
-Eigen::Vector3f Renderer::lightFrom(const Surfel& surfel, const View& view) const {
+Eigen::Vector3f Renderer::albedoOf(const Surfel& surfel, const View& view) const {
+  if (surfel.paper != RayHit::kNone) {
+    const Eigen::Vector3d point = surfel.point.cast<double>();
+    return Eigen::Vector3f::Constant(
+        target_->reflectanceAt(surfel.paper, point, point - view.camera_in_table.cast<double>()));
+  }
   const Eigen::Vector3f to_camera = (view.camera_in_table - surfel.point).normalized();
   const float facing = std::max(surfel.normal.dot(to_camera), 1e-3F);
   // A pixel covers a strip of the surface that is 1 / facing times as long as it is wide. Where
@@ -176,10 +231,16 @@ Eigen::Vector3f Renderer::lightFrom(const Surfel& surfel, const View& view) cons
     }
     albedo /= static_cast<float>(samples);
   }
+  return albedo;
+}
+
+Eigen::Vector3f Renderer::lightFrom(const Surfel& surfel, const Eigen::Vector3f& albedo,
+                                    const View& view) const {
   const float lit = std::max(0.0F, surfel.normal.dot(view.light_in_table));
   Eigen::Vector3f light =
       (static_cast<float>(rig_.ambient_light) + static_cast<float>(rig_.key_light) * lit) * albedo;
-  if (rig_.material == "glossy" && lit > 0.0F) {
+  if (rig_.material == "glossy" && lit > 0.0F && surfel.paper == RayHit::kNone) {
+    const Eigen::Vector3f to_camera = (view.camera_in_table - surfel.point).normalized();
     const Eigen::Vector3f mirrored =
         2.0F * surfel.normal.dot(view.light_in_table) * surfel.normal - view.light_in_table;
     const float highlight = 0.3F * std::pow(std::max(0.0F, mirrored.dot(to_camera)), 30.0F);
@@ -206,12 +267,26 @@ bool Renderer::onEdge(int x, int y, const std::vector<Surfel>& surfels) const {
   return differs(x - 1, y) || differs(x + 1, y) || differs(x, y - 1) || differs(x, y + 1);
 }
 
+// Rays of neighbouring pixels differ almost evenly: a part of the difference is a sub-pixel ray.
+PixelRays Renderer::raysOf(std::size_t pixel, const View& view) const {
+  const auto width = static_cast<std::size_t>(rig_.image_width_px);
+  const bool last_column = pixel % width + 1 == width;
+  const bool last_row = pixel / width + 1 == static_cast<std::size_t>(rig_.image_height_px);
+  const std::size_t left = last_column ? pixel - 1 : pixel;
+  const std::size_t upper = last_row ? pixel - width : pixel;
+  const auto in_table = [&](const Eigen::Vector3f& in_base) -> Eigen::Vector3d {
+    return (view.table_from_base * in_base).cast<double>();
+  };
+  return {view.camera_in_table.cast<double>(), in_table(stage_.direction(pixel)),
+          in_table(stage_.direction(left + 1) - stage_.direction(left)),
+          in_table(stage_.direction(upper + width) - stage_.direction(upper))};
+}
+
 void Renderer::supersample(std::size_t pixel, const View& view, float* bgr) const {
   const auto width = static_cast<std::size_t>(rig_.image_width_px);
   const std::size_t x = pixel % width;
   const std::size_t y = pixel / width;
   const Eigen::Vector3f& centre = stage_.direction(pixel);
-  // Rays of neighbouring pixels differ almost evenly: a part of the difference is a sub-pixel ray.
   const Eigen::Vector3f along_x = x + 1 < width
                                       ? Eigen::Vector3f(stage_.direction(pixel + 1) - centre)
                                       : Eigen::Vector3f(centre - stage_.direction(pixel - 1));
@@ -228,13 +303,17 @@ void Renderer::supersample(std::size_t pixel, const View& view, float* bgr) cons
     rays.direction[i] = view.table_from_base * direction[i];
     rays.valid[i] = true;
   }
-  const auto hits = scene_.closest(rays);
+  const Hits hits = shoot(rays, view);
   const Eigen::Vector3f behind(bgr[2], bgr[1], bgr[0]);
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
-    sum += hits[i].triangle == RayHit::kNone
-               ? behind
-               : lightFrom(surfelOf(hits[i], direction[i], view), view).cwiseMin(1.0F);
+    if (hits.nearest[i].triangle == RayHit::kNone) {
+      sum += behind;
+      continue;
+    }
+    const Surfel surfel = hits.on_paper[i] ? paperSurfelOf(hits.nearest[i], direction[i], view)
+                                           : surfelOf(hits.nearest[i], direction[i], view);
+    sum += lightFrom(surfel, albedoOf(surfel, view), view).cwiseMin(1.0F);
   }
   sum /= static_cast<float>(RayPacket::kSize);
   bgr[0] = sum.z();
@@ -254,7 +333,12 @@ void Renderer::paintObjectRow(int y, const View& view, const std::vector<Surfel>
     if (onEdge(x, y, surfels)) {
       supersample(pixel, view, bgr);
     } else if (surfels[pixel].depth_mm > 0.0F) {
-      const Eigen::Vector3f rgb = lightFrom(surfels[pixel], view);
+      const Surfel& surfel = surfels[pixel];
+      const Eigen::Vector3f albedo = surfel.paper == RayHit::kNone
+                                         ? albedoOf(surfel, view)
+                                         : Eigen::Vector3f::Constant(target_->reflectanceOver(
+                                               surfel.paper, raysOf(pixel, view)));
+      const Eigen::Vector3f rgb = lightFrom(surfel, albedo, view);
       bgr[0] = rgb.z();
       bgr[1] = rgb.y();
       bgr[2] = rgb.x();
@@ -267,10 +351,10 @@ Frame Renderer::render(std::int64_t steps, TableLoad load) const {
   const auto step_word = static_cast<std::uint64_t>(steps);
   Random flicker(hashWords({seed, kFlickerUse, step_word, word(load)}));
   const auto brightness = static_cast<float>(1.0 + rig_.background_flicker * flicker.gaussian());
-  const View view = viewAt(steps);
+  const View view = viewAt(steps, load);
   const auto rows = static_cast<std::size_t>(rig_.image_height_px);
   const auto width = static_cast<std::size_t>(rig_.image_width_px);
-  const bool with_object = load == TableLoad::kObject;
+  const bool with_object = view.shows_object || view.shows_target;
 
   LightImage light(rig_.image_width_px, rig_.image_height_px);
   std::vector<Surfel> surfels(with_object ? rows * width : 0);
@@ -291,14 +375,14 @@ Frame Renderer::render(std::int64_t steps, TableLoad load) const {
 }
 
 std::vector<TruePixel> Renderer::truePixels(std::int64_t steps, TableLoad load) const {
-  const View view = viewAt(steps);
+  const View view = viewAt(steps, load);
   const auto width = static_cast<std::size_t>(rig_.image_width_px);
   const auto rows = static_cast<std::size_t>(rig_.image_height_px);
   std::vector<TruePixel> pixels(rows * width);
   std::vector<Surfel> row(width);
   for (std::size_t y = 0; y < rows; ++y) {
     std::fill(row.begin(), row.end(), Surfel{});
-    if (load == TableLoad::kObject) traceRow(static_cast<int>(y), view, row.data());
+    if (view.shows_object || view.shows_target) traceRow(static_cast<int>(y), view, row.data());
     for (std::size_t x = 0; x < width; ++x) {
       TruePixel& pixel = pixels[y * width + x];
       if (row[x].depth_mm > 0.0F) {

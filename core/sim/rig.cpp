@@ -15,7 +15,7 @@ namespace gyre {
 namespace {
 
 // Words that keep the seed's uses apart.
-enum SeedUse : std::uint64_t { kMotorWhite = 1, kMotorPhase = 2, kObjectPlace = 3 };
+enum SeedUse : std::uint64_t { kMotorWhite = 1, kMotorPhase = 2, kObjectPlace = 3, kTargetYaw = 4 };
 
 Random randomFor(const RigSettings& rig, SeedUse use, std::int64_t index) {
   return Random(
@@ -33,11 +33,11 @@ double motorErrorRad(const RigSettings& rig, std::int64_t steps, double nominal_
 Result<void> RigSettings::validate() const {
   if (auto ranges = validateRanges(*this); !ranges) return ranges;
   const auto& names = objectNames();
-  if (std::find(names.begin(), names.end(), object) == names.end()) {
+  if (object != "target" && std::find(names.begin(), names.end(), object) == names.end()) {
     std::string known;
     for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
     return Error{Error::Code::kInvalidInput, "The simulated rig has no object '" + object + "'.",
-                 "Choose one of: " + known + "."};
+                 "Choose one of: " + known + ", target."};
   }
   if (material != "matte" && material != "glossy") {
     return Error{Error::Code::kInvalidInput,
@@ -102,6 +102,16 @@ Eigen::Vector3d keyLightInBase(const RigSettings& rig) {
 Eigen::Vector2d objectOffsetInTable(const RigSettings& rig) {
   const double direction_rad = randomFor(rig, kObjectPlace, 0).uniform(0.0, kTurn_rad);
   return rig.object_offset_mm * Eigen::Vector2d(std::cos(direction_rad), std::sin(direction_rad));
+}
+
+Rigid3 tableFromTarget(const RigSettings& rig) {
+  Rigid3 table_from_target;
+  table_from_target.rotation =
+      Eigen::AngleAxisd(randomFor(rig, kTargetYaw, 0).uniform(0.0, kTurn_rad),
+                        Eigen::Vector3d::UnitZ())
+          .toRotationMatrix();
+  if (rig.object == "target") table_from_target.translation.head<2>() = objectOffsetInTable(rig);
+  return table_from_target;
 }
 
 }  // namespace gyre

@@ -16,12 +16,20 @@ namespace gyre {
 // sees the same world. The defaults are the default rig, at which published figures are judged.
 struct RigSettings {
   int seed = 1;
-  std::string object = "duck";     // one of objectNames()
+  std::string object = "duck";     // one of objectNames(), or "target"
   std::string material = "matte";  // matte, or glossy: Phong, exponent 30, ks 0.3
   double object_size_mm = 80.0;    // diagonal of the object's bounding box
   double object_offset_mm = 5.0;   // from the axis, in a direction that the seed chooses
   double texture_finest_mm = 0.75;
   double texture_contrast = 1.0;
+
+  // A calibration target: its file or its name. It is the object when that is "target" (the wedge
+  // when none is named); otherwise it lies on the platter, about the axis, under the object.
+  std::string target;
+  double target_bow_mm = 0.0;          // how far the middle of each face stands out
+  double target_fold_error_deg = 0.0;  // how far each face leans off
+  double print_scale_right = 1.0;      // what 1 mm on the page became along its width
+  double print_scale_down = 1.0;       // and along its height
 
   int image_width_px = 1280;
   int image_height_px = 960;
@@ -40,7 +48,8 @@ struct RigSettings {
   double ambient_light = 0.40;
   double background_flicker = 0.01;  // relative standard deviation of its brightness
   double platter_radius_mm = 70.0;
-  double noise_sigma = 2.0;  // grey levels of 255, in each channel
+  double exposure_gain = 1.0;  // all light is brighter by this; full scale stays
+  double noise_sigma = 2.0;    // grey levels of 255, in each channel
   double blur_sigma_px = 0.8;
 
   int steps_per_turn = 3200;
@@ -73,6 +82,10 @@ Eigen::Vector3d keyLightInBase(const RigSettings& rig);
 // Where the object's middle stands on the platter.
 Eigen::Vector2d objectOffsetInTable(const RigSettings& rig);  // mm
 
+// Where the calibration target stands: turned as the seed chooses; as far off the axis as objects
+// are when it is the object itself.
+Rigid3 tableFromTarget(const RigSettings& rig);
+
 template <class V>
 void RigSettings::describe(V& visit) {
   visit({"seed", "", 0, 2147483647, "Chooses texture, clutter, noise and motor errors."}, seed);
@@ -82,6 +95,16 @@ void RigSettings::describe(V& visit) {
   visit({"object-offset", "mm", 0, 100, "How far off the axis it stands."}, object_offset_mm);
   visit({"texture-finest", "mm", 0.05, 20, "Wavelength of the finest texture."}, texture_finest_mm);
   visit({"texture-contrast", "", 0, 1, "Strength of the texture."}, texture_contrast);
+  visit({"target", "", 0, 0, "Calibration target on the table: a file or a name."}, target);
+  visit({"target-bow", "mm", -10, 10, "How far its faces stand out in the middle."}, target_bow_mm);
+  visit({"target-fold-error", "deg", -10, 10, "How far its faces lean off."},
+        target_fold_error_deg);
+  visit(
+      {"print-scale-right", "", 0.5, 2, "How much its print is stretched along the page's width."},
+      print_scale_right);
+  visit(
+      {"print-scale-down", "", 0.5, 2, "How much its print is stretched along the page's height."},
+      print_scale_down);
   visit({"image-width", "px", 16, 8192, "Width of the pictures."}, image_width_px);
   visit({"image-height", "px", 16, 8192, "Height of the pictures."}, image_height_px);
   visit({"focal", "px", 10, 100000, "Focal length."}, focal_px);
@@ -103,6 +126,7 @@ void RigSettings::describe(V& visit) {
   visit({"background-flicker", "", 0, 0.2, "How much the background's brightness changes."},
         background_flicker);
   visit({"platter-radius", "mm", 5, 500, "Radius of the platter."}, platter_radius_mm);
+  visit({"exposure-gain", "", 0.01, 100, "How much brighter the pictures are."}, exposure_gain);
   visit({"noise-sigma", "", 0, 50, "Noise of the sensor in grey levels."}, noise_sigma);
   visit({"blur-sigma", "px", 0, 5, "Blur of the lens."}, blur_sigma_px);
   visit({"steps-per-turn", "", 8, 10000000, "Motor steps a turn."}, steps_per_turn);

@@ -74,9 +74,9 @@ void blurRow(const float* row, int width, const std::vector<float>& kernel, floa
   }
 }
 
-// Adds noise and quantises one row of light.
-void digitise(const std::vector<float>& light, const std::vector<float>& noise, Random random,
-              std::uint8_t* out) {
+// Adds noise and quantises one row of light, of which 1 is so many grey levels.
+void digitise(const std::vector<float>& light, float levels, const std::vector<float>& noise,
+              Random random, std::uint8_t* out) {
   std::uint64_t word = 0;
   int left = 0;
   for (std::size_t i = 0; i < light.size(); ++i) {
@@ -84,7 +84,7 @@ void digitise(const std::vector<float>& light, const std::vector<float>& noise, 
       word = random.next();
       left = 5;
     }
-    const float level = 255.0F * light[i] + noise[word & (kQuantiles - 1)] + 0.5F;
+    const float level = levels * light[i] + noise[word & (kQuantiles - 1)] + 0.5F;
     word >>= 12U;
     --left;
     out[i] = static_cast<std::uint8_t>(std::clamp(level, 0.0F, 255.0F));
@@ -93,8 +93,10 @@ void digitise(const std::vector<float>& light, const std::vector<float>& noise, 
 
 }  // namespace
 
-Sensor::Sensor(double blur_sigma_px, double noise_sigma)
-    : kernel_(gaussianKernel(blur_sigma_px)), noise_quantile_(noiseQuantiles(noise_sigma)) {}
+Sensor::Sensor(double blur_sigma_px, double noise_sigma, double gain)
+    : levels_(static_cast<float>(255.0 * gain)),
+      kernel_(gaussianKernel(blur_sigma_px)),
+      noise_quantile_(noiseQuantiles(noise_sigma)) {}
 
 Frame Sensor::expose(const LightImage& light, std::uint64_t noise_seed) const {
   Frame frame;
@@ -119,7 +121,8 @@ Frame Sensor::expose(const LightImage& light, std::uint64_t noise_seed) const {
         const float weight = kernel_[static_cast<std::size_t>(k + reach)];
         for (std::size_t i = 0; i < values; ++i) sum[i] += weight * row[i];
       }
-      digitise(sum, noise_quantile_, Random(hashWords({noise_seed, static_cast<std::uint64_t>(y)})),
+      digitise(sum, levels_, noise_quantile_,
+               Random(hashWords({noise_seed, static_cast<std::uint64_t>(y)})),
                frame.image_bgr.ptr<std::uint8_t>(y));
     }
   };

@@ -29,13 +29,15 @@ struct LightImage {
 // Immutable: any thread may expose.
 class Sensor {
  public:
-  // blur_sigma_px: Gaussian blur of the lens. noise_sigma: grey levels of 255 a channel.
-  Sensor(double blur_sigma_px, double noise_sigma);
+  // blur_sigma_px: Gaussian blur of the lens. noise_sigma: grey levels of 255 a channel. gain: what
+  // light is multiplied by before it is cut off at full scale.
+  Sensor(double blur_sigma_px, double noise_sigma, double gain = 1.0);
 
   // The picture, 8 bit BGR. The noise is a function of noise_seed and the pixel alone.
   Frame expose(const LightImage& light, std::uint64_t noise_seed) const;
 
  private:
+  float levels_;                       // grey levels of light 1
   std::vector<float> kernel_;          // odd length, sums to 1
   std::vector<float> noise_quantile_;  // equally likely noise values, grey levels
 };

@@ -53,7 +53,7 @@ Result<Truth> truthOf(const Renderer& renderer, std::span<const std::int64_t> st
   const Calibration calibration = trueCalibration(rig);
   const std::vector<ViewPose> poses = posesOf(rig, *calibration.cam_from_table, steps_of_views);
   Truth truth;
-  truth.mesh = renderer.object().mesh();
+  truth.mesh = renderer.mesh();
   truth.size_mm = boundsOf(truth.mesh).diagonal();
   parallelFor(truth.mesh.vertices.size(), 512, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !task.stopRequested(); ++i) {
