@@ -37,7 +37,7 @@ std::optional<Plane> planeOf(const std::vector<Eigen::Vector3d>& positions) {
   return plane;
 }
 
-// Along the shortest way between two corners: the direction of a lattice's rows or columns.
+// The shortest way between two corners: along a lattice's rows or columns.
 Eigen::Vector3d shortestStep(const std::vector<Eigen::Vector3d>& positions) {
   Eigen::Vector3d shortest = Eigen::Vector3d::UnitX();
   double length = std::numeric_limits<double>::max();
@@ -49,7 +49,7 @@ Eigen::Vector3d shortestStep(const std::vector<Eigen::Vector3d>& positions) {
       shortest = step;
     }
   }
-  return shortest.normalized();
+  return shortest;
 }
 
 // The least difference between two coordinates that is not just inaccuracy.
@@ -152,6 +152,59 @@ void measureClearance(TargetFace& face) {
   }
 }
 
+// Which way each face looks by its page axes or its markers.
+std::vector<std::optional<Eigen::Vector3d>> outwardAsPrinted(
+    const Target& target, const std::vector<TargetPoint>& points) {
+  std::vector<std::optional<Eigen::Vector3d>> outward(target.faces.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].marker_id < 0) continue;
+    if (points[i].face >= 0) {
+      // Clockwise from outside: from the first side to the second one turns about the way in.
+      const auto corner = [&](std::size_t k) { return points[i + k].position_in_target; };
+      outward[static_cast<std::size_t>(points[i].face)] =
+          -(corner(1) - corner(0)).cross(corner(2) - corner(1)).normalized();
+    }
+    i += 3;
+  }
+  for (std::size_t i = 0; i < std::min(outward.size(), target.page_axes.size()); ++i) {
+    const PageAxes& axes = target.page_axes[i];
+    const Eigen::Vector3d out = axes.down_in_target.cross(axes.right_in_target);
+    if (out.norm() > 0.5) outward[i] = out.normalized();
+  }
+  return outward;
+}
+
+// Of the four directions of the face's lattice, right is the one that was right on the page.
+void layAxes(const Eigen::Vector3d& outward, const PageAxes* page, const Members& members,
+             TargetFace& face) {
+  const Eigen::Vector3d step = shortestStep(members.positions);
+  face.origin_in_target = members.positions.front();
+  face.right_in_target = (step - step.dot(outward) * outward).normalized();
+  if (page != nullptr && page->right_in_target.norm() > 0.5) {
+    const Eigen::Vector3d across = face.right_in_target.cross(outward);
+    if (std::abs(across.dot(page->right_in_target)) >
+        std::abs(face.right_in_target.dot(page->right_in_target))) {
+      face.right_in_target = across;
+    }
+    if (face.right_in_target.dot(page->right_in_target) < 0.0) face.right_in_target *= -1.0;
+  }
+  face.down_in_target = face.right_in_target.cross(outward);
+}
+
+void addMarkers(const std::vector<TargetPoint>& points, TargetFace& face) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].marker_id < 0) continue;
+    if (points[k].face == face.index) {
+      TargetFace::Marker marker{points[k].marker_id, static_cast<int>(k), {}};
+      for (std::size_t c = 0; c < 4; ++c) {
+        marker.corners_mm[c] = face.placeOf(points[k + c].position_in_target);
+      }
+      face.markers.push_back(marker);
+    }
+    k += 3;
+  }
+}
+
 }  // namespace
 
 int FaceGrid::cornerAt(int column, int row) const {
@@ -176,30 +229,15 @@ std::vector<TargetFace> facesOf(const Target& target) {
   const std::vector<TargetPoint> points = pointsOf(target);
   const std::size_t count = target.faces.size();
   std::vector<Members> members(count);
-  std::vector<std::optional<Eigen::Vector3d>> outward(count);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].face < 0) continue;
-    const auto face = static_cast<std::size_t>(points[i].face);
-    if (points[i].corner_id >= 0) {
-      members[face].points.push_back(static_cast<int>(i));
-      members[face].positions.push_back(points[i].position_in_target);
-    }
+    if (points[i].face < 0 || points[i].corner_id < 0) continue;
+    Members& face = members[static_cast<std::size_t>(points[i].face)];
+    face.points.push_back(static_cast<int>(i));
+    face.positions.push_back(points[i].position_in_target);
   }
   std::vector<std::optional<Plane>> planes(count);
   for (std::size_t i = 0; i < count; ++i) planes[i] = planeOf(members[i].positions);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].face < 0 || points[i].marker_id < 0) continue;
-    // Clockwise from outside: the first side, then the second, turn about the inward direction.
-    const auto corner = [&](std::size_t k) { return points[i + k].position_in_target; };
-    outward[static_cast<std::size_t>(points[i].face)] =
-        -(corner(1) - corner(0)).cross(corner(2) - corner(1)).normalized();
-    i += 3;
-  }
-  for (std::size_t i = 0; i < std::min(count, target.page_axes.size()); ++i) {
-    const PageAxes& axes = target.page_axes[i];
-    const Eigen::Vector3d out = axes.down_in_target.cross(axes.right_in_target);
-    if (out.norm() > 0.5) outward[i] = out.normalized();
-  }
+  auto outward = outwardAsPrinted(target, points);
   turnOutward(planes, outward);
 
   std::vector<TargetFace> faces(count);
@@ -209,35 +247,12 @@ std::vector<TargetFace> facesOf(const Target& target) {
     if (!planes[i] || !outward[i]) continue;
     const Eigen::Vector3d out =
         planes[i]->normal.dot(*outward[i]) > 0.0 ? planes[i]->normal : -planes[i]->normal;
-    const Eigen::Vector3d step = shortestStep(members[i].positions);
-    face.origin_in_target = members[i].positions.front();
-    face.right_in_target = (step - step.dot(out) * out).normalized();
-    if (i < target.page_axes.size() && target.page_axes[i].right_in_target.norm() > 0.5) {
-      // Of the lattice's four directions the one that was right on the page.
-      const Eigen::Vector3d page_right = target.page_axes[i].right_in_target;
-      const Eigen::Vector3d across = face.right_in_target.cross(out);
-      if (std::abs(across.dot(page_right)) > std::abs(face.right_in_target.dot(page_right))) {
-        face.right_in_target = across;
-      }
-      if (face.right_in_target.dot(page_right) < 0.0) face.right_in_target *= -1.0;
-    }
-    face.down_in_target = face.right_in_target.cross(out);
-    double step_mm = std::numeric_limits<double>::max();
+    layAxes(out, i < target.page_axes.size() ? &target.page_axes[i] : nullptr, members[i], face);
     for (std::size_t k = 0; k < members[i].points.size(); ++k) {
       face.corners.push_back({members[i].points[k], face.placeOf(members[i].positions[k]), 0.0});
-      if (k > 0)
-        step_mm = std::min(step_mm, (members[i].positions[k] - members[i].positions[0]).norm());
     }
-    face.grid = gridOf(face.corners, step_mm);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (points[k].marker_id < 0 || points[k].face != face.index) continue;
-      TargetFace::Marker marker{points[k].marker_id, static_cast<int>(k), {}};
-      for (std::size_t c = 0; c < 4; ++c) {
-        marker.corners_mm[c] = face.placeOf(points[k + c].position_in_target);
-      }
-      face.markers.push_back(marker);
-      k += 3;
-    }
+    face.grid = gridOf(face.corners, shortestStep(members[i].positions).norm());
+    addMarkers(points, face);
     measureClearance(face);
   }
   return faces;
