@@ -194,11 +194,16 @@ std::optional<FaceSearch> searchCodedFace(const TargetPicture& picture, const Ta
     const auto guides = sightingsOf(marker);
     search.guides.insert(search.guides.end(), guides.begin(), guides.end());
   }
-  completeFace(picture, face, search);
-  dropStrays(face, search);
-  // Saddles guide better than codes do: what was missed for a poor prediction is found now.
-  completeFace(picture, face, search);
-  dropStrays(face, search);
+  // Saddles guide better and further than codes do: as long as more are found, more are looked for,
+  // so that one code that could be read is enough for a whole face.
+  constexpr int kMostRounds = 8;
+  std::size_t before = 0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    completeFace(picture, face, search);
+    dropStrays(face, search);
+    if (round > 0 && search.sightings.size() <= before) break;
+    before = search.sightings.size();
+  }
   return search;
 }
 

@@ -73,10 +73,10 @@ TEST_P(TargetOnRig, IsFoundAndNamedRightAtEachOf24Angles) {
   RecordProperty("least_points", static_cast<int>(least));
   RecordProperty("mean_points", std::to_string(count / 24.0));
   // The wedge's back, of 24 corners, is the least that looks at the camera.
-  EXPECT_GE(least, 12u);
-  // The corner detector's goals at noise 2 and 5, with room for faces at glancing angles.
-  EXPECT_LT(rms_px, GetParam().noise > 2.0 ? 0.08 : 0.045);
-  EXPECT_LT(rms_sigma, 1.6);
+  EXPECT_GE(least, 20u);
+  // The corner detector's goals at noise 2 and 5.
+  EXPECT_LT(rms_px, GetParam().noise > 2.0 ? 0.05 : 0.035);
+  EXPECT_LT(rms_sigma, 1.4);
 }
 
 }  // namespace
