@@ -9,6 +9,7 @@
 
 #include "core/calib/marker_corners.h"
 #include "core/calib/saddle_fit.h"
+#include "core/calib/saddle_on_face.h"
 
 namespace gyre {
 namespace {
@@ -17,7 +18,6 @@ constexpr double kRoughSigma_px = 0.7;  // of a marker's corners as they are det
 constexpr std::size_t kNearPoints = 16;
 constexpr double kSnap = 0.3;           // of a square
 constexpr double kDiscOverClear = 0.8;  // what is left of the clear surroundings after the blur
-constexpr double kLeastClear_px = 2.5;
 // How far beyond what is known a prediction is trusted, in squares.
 constexpr double kReach = 2.5;
 
@@ -129,19 +129,18 @@ Finding lookFor(const TargetPicture& picture, const TargetFace& face,
   const auto homography = fitHomographyNear(known, corner.place_mm, kNearPoints);
   if (!homography) return Finding::kUnseen;
   const Eigen::Vector2d predicted = throughHomography(*homography, corner.place_mm);
-  const double stretch = leastStretch(homographyJacobian(*homography, corner.place_mm));
-  const double clear_px = stretch * corner.clear_mm;
   if (!predicted.allFinite()) return Finding::kUnseen;
   if (!inPicture(picture, predicted, kLeastSaddleRadius_px + 2.0)) return Finding::kOutside;
-  if (clear_px < kLeastClear_px) return Finding::kTooSmall;
   // Without coded squares the next edges are a whole square away: see fitSaddle().
-  const double share = face.markers.empty() ? 0.4 : kDiscOverClear;
-  const int radius_px = static_cast<int>(share * clear_px);
-  const auto fit = fitSaddle(picture.blurred, predicted, radius_px, picture.noise_grey);
-  if (!fit || (fit->pixel - predicted).norm() > kSnap * stretch * pitch_mm) {
+  const double disc = face.markers.empty() ? 0.4 : kDiscOverClear;
+  const SaddleOnFace known_corner{corner.place_mm, *homography, corner.clear_mm, disc};
+  if (clearInPicture_px(known_corner) < kLeastClear_px) return Finding::kTooSmall;
+  const auto saddle = measureSaddle(picture, known_corner);
+  const double stretch = leastStretch(homographyJacobian(*homography, corner.place_mm));
+  if (!saddle || (saddle->pixel - predicted).norm() > kSnap * stretch * pitch_mm) {
     return Finding::kUnseen;
   }
-  search.sightings.push_back({corner.point, fit->pixel, saddleSigma_px(fit->sigma_px, clear_px)});
+  search.sightings.push_back({corner.point, saddle->pixel, saddle->sigma_px});
   return Finding::kFound;
 }
 
@@ -195,11 +194,16 @@ std::optional<FaceSearch> searchCodedFace(const TargetPicture& picture, const Ta
     const auto guides = sightingsOf(marker);
     search.guides.insert(search.guides.end(), guides.begin(), guides.end());
   }
-  completeFace(picture, face, search);
-  dropStrays(face, search);
-  // Saddles guide better than codes do: what was missed for a poor prediction is found now.
-  completeFace(picture, face, search);
-  dropStrays(face, search);
+  // Saddles guide better and further than codes do: as long as more are found, more are looked for,
+  // so that one code that could be read is enough for a whole face.
+  constexpr int kMostRounds = 8;
+  std::size_t before = 0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    completeFace(picture, face, search);
+    dropStrays(face, search);
+    if (round > 0 && search.sightings.size() <= before) break;
+    before = search.sightings.size();
+  }
   return search;
 }
 
@@ -215,12 +219,6 @@ void completeFace(const TargetPicture& picture, const TargetFace& face, FaceSear
   }
   std::stable_sort(search.sightings.begin(), search.sightings.end(),
                    [](const auto& a, const auto& b) { return a.point < b.point; });
-}
-
-double saddleSigma_px(double noise_sigma_px, double clear_px) {
-  constexpr double kPixels_px = 0.015;
-  constexpr double kNeighbours_px3 = 0.35;
-  return std::hypot(noise_sigma_px, kPixels_px, kNeighbours_px3 / (clear_px * clear_px));
 }
 
 void dropStrays(const TargetFace& face, FaceSearch& search) {

@@ -36,11 +36,6 @@ std::optional<FaceSearch> searchCodedFace(const TargetPicture& picture, const Ta
 // latter and the guides.
 void completeFace(const TargetPicture& picture, const TargetFace& face, FaceSearch& search);
 
-// The standard deviation of a saddle that the picture's noise alone would leave this exact, with
-// what pixels and blur add: more, the nearer the next printed edges are. Measured on rendered
-// targets. clear_px: their distance in the picture. [px]
-double saddleSigma_px(double noise_sigma_px, double clear_px);
-
 // Takes out the sightings that do not lie where those around them say, the worst first.
 void dropStrays(const TargetFace& face, FaceSearch& search);
 

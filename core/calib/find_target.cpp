@@ -75,7 +75,8 @@ Result<FoundTarget> findTarget(const cv::Mat& image, const Target& target,
     if (static_cast<int>(found.view.sightings.size()) < options.min_points) {
       return whyUncodedNotFound(*picture, faces, search, options.min_points);
     }
-    found.labellings = search.assignment->labellings;
+    found.other_cam_from_target = search.assignment->others;
+    found.labellings = 1 + static_cast<int>(found.other_cam_from_target.size());
     found.cam_from_target = search.assignment->pose.cam_from_target;
     found.camera = search.assignment->pose.camera;
   }

@@ -45,6 +45,8 @@ struct FoundTarget {
   // next picture, not to measure. None for coded targets, which need neither.
   std::optional<Rigid3> cam_from_target;
   std::optional<CameraModel> camera;
+  // The same under the other labellings.
+  std::vector<Rigid3> other_cam_from_target;
 };
 
 // The target in a picture of 8 bits, colour or grey.

@@ -164,7 +164,9 @@ std::optional<LatticeAssignment> bestLabelling(const AssignmentInput& input,
       return -turnBetween(each.pose.cam_from_target, *input.expected_cam_from_target);
     });
   }
-  labellings.front().labellings = static_cast<int>(labellings.size());
+  for (std::size_t i = 1; i < labellings.size(); ++i) {
+    labellings.front().others.push_back(labellings[i].pose.cam_from_target);
+  }
   return labellings.front();
 }
 

@@ -19,9 +19,9 @@ namespace gyre {
 struct LatticeAssignment {
   std::vector<LatticeOnFace> laid;
   RoughPose pose;
-  int corners = 0;     // of the target that the lattices cover
-  int missing = 0;     // of faces that look at the camera, and not of those lattices
-  int labellings = 1;  // that fit equally well, this one included
+  int corners = 0;             // of the target that the lattices cover
+  int missing = 0;             // of faces that look at the camera, and not of those lattices
+  std::vector<Rigid3> others;  // cam_from_target of the other labellings that fit equally well
 };
 
 struct AssignmentInput {
@@ -38,7 +38,7 @@ struct AssignmentInput {
 // The labelling that explains the most corners, and of those that explain as many the one that
 // misses least; what none explains is left out as clutter. Between labellings that fit equally
 // well, a round mark decides, then which squares are dark, then the expected pose; what then still
-// is undecided is counted in labellings, and the first is taken.
+// is undecided is told in others, and the first is taken.
 //
 // Each way to lay each of the largest lattices gives poses; each pose gathers the other lattices
 // that lie where it says, and is refined with all of them. Returns nothing when no lattice fits.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <opencv2/aruco.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "core/scan/marker_dictionary.h"
 
@@ -61,10 +62,15 @@ Result<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::string& di
 }
 
 ForeignMarkers findForeignMarkers(const cv::Mat& grey, const std::string& but_not_dictionary) {
+  // Five searches: on a picture that is no larger than it takes to read what people print.
+  constexpr double kMostSide_px = 640.0;
+  cv::Mat small = grey;
+  const double scale = kMostSide_px / std::max({grey.cols, grey.rows, 1});
+  if (scale < 1.0) cv::resize(grey, small, {}, scale, scale, cv::INTER_AREA);
   ForeignMarkers most;
   for (const char* family : kFamilies) {
     if (but_not_dictionary == family) continue;
-    const auto detection = detect(grey, family, Reading::kExact);
+    const auto detection = detect(small, family, Reading::kExact);
     if (!detection) continue;
     const int count = static_cast<int>(detection->markers.size());
     const int unread = static_cast<int>(detection->unreadable.size());

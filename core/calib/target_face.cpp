@@ -37,7 +37,7 @@ std::optional<Plane> planeOf(const std::vector<Eigen::Vector3d>& positions) {
   return plane;
 }
 
-// Along the shortest way between two corners: the direction of a lattice's rows or columns.
+// The shortest way between two corners: along a lattice's rows or columns.
 Eigen::Vector3d shortestStep(const std::vector<Eigen::Vector3d>& positions) {
   Eigen::Vector3d shortest = Eigen::Vector3d::UnitX();
   double length = std::numeric_limits<double>::max();
@@ -49,7 +49,7 @@ Eigen::Vector3d shortestStep(const std::vector<Eigen::Vector3d>& positions) {
       shortest = step;
     }
   }
-  return shortest.normalized();
+  return shortest;
 }
 
 // The least difference between two coordinates that is not just inaccuracy.
@@ -153,28 +153,18 @@ void measureClearance(TargetFace& face) {
   }
 }
 
-// The corners that belong to each face.
-std::vector<Members> membersOf(const std::vector<TargetPoint>& points, std::size_t faces) {
-  std::vector<Members> members(faces);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].face < 0 || points[i].corner_id < 0) continue;
-    Members& own = members[static_cast<std::size_t>(points[i].face)];
-    own.points.push_back(static_cast<int>(i));
-    own.positions.push_back(points[i].position_in_target);
-  }
-  return members;
-}
-
-// Which way each face looks as its markers and its page tell; nothing where neither does.
+// Which way each face looks by its page axes or its markers.
 std::vector<std::optional<Eigen::Vector3d>> outwardAsPrinted(
     const Target& target, const std::vector<TargetPoint>& points) {
   std::vector<std::optional<Eigen::Vector3d>> outward(target.faces.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].face < 0 || points[i].marker_id < 0) continue;
-    // Clockwise from outside: the first side, then the second, turn about the inward direction.
-    const auto corner = [&](std::size_t k) { return points[i + k].position_in_target; };
-    outward[static_cast<std::size_t>(points[i].face)] =
-        -(corner(1) - corner(0)).cross(corner(2) - corner(1)).normalized();
+    if (points[i].marker_id < 0) continue;
+    if (points[i].face >= 0) {
+      // Clockwise from outside: from the first side to the second one turns about the way in.
+      const auto corner = [&](std::size_t k) { return points[i + k].position_in_target; };
+      outward[static_cast<std::size_t>(points[i].face)] =
+          -(corner(1) - corner(0)).cross(corner(2) - corner(1)).normalized();
+    }
     i += 3;
   }
   for (std::size_t i = 0; i < std::min(outward.size(), target.page_axes.size()); ++i) {
@@ -185,35 +175,33 @@ std::vector<std::optional<Eigen::Vector3d>> outwardAsPrinted(
   return outward;
 }
 
-// Of the lattice's four directions the one that was right on the page; any one without a page.
-Eigen::Vector3d rightOnFace(const Target& target, std::size_t face, const Eigen::Vector3d& step,
-                            const Eigen::Vector3d& out) {
-  Eigen::Vector3d right = (step - step.dot(out) * out).normalized();
-  if (face >= target.page_axes.size()) return right;
-  const Eigen::Vector3d page_right = target.page_axes[face].right_in_target;
-  if (page_right.norm() <= 0.5) return right;
-  const Eigen::Vector3d across = right.cross(out);
-  if (std::abs(across.dot(page_right)) > std::abs(right.dot(page_right))) right = across;
-  return right.dot(page_right) < 0.0 ? Eigen::Vector3d(-right) : right;
-}
-
-void placeCorners(TargetFace& face, const Members& members) {
-  double step_mm = std::numeric_limits<double>::max();
-  for (std::size_t k = 0; k < members.points.size(); ++k) {
-    face.corners.push_back({members.points[k], face.placeOf(members.positions[k]), 0.0});
-    if (k > 0) step_mm = std::min(step_mm, (members.positions[k] - members.positions[0]).norm());
-  }
-  face.grid = gridOf(face.corners, step_mm);
-}
-
-void placeMarkers(TargetFace& face, const std::vector<TargetPoint>& points) {
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (points[k].marker_id < 0 || points[k].face != face.index) continue;
-    TargetFace::Marker marker{points[k].marker_id, static_cast<int>(k), {}};
-    for (std::size_t c = 0; c < 4; ++c) {
-      marker.corners_mm[c] = face.placeOf(points[k + c].position_in_target);
+// Of the four directions of the face's lattice, right is the one that was right on the page.
+void layAxes(const Eigen::Vector3d& outward, const PageAxes* page, const Members& members,
+             TargetFace& face) {
+  const Eigen::Vector3d step = shortestStep(members.positions);
+  face.origin_in_target = members.positions.front();
+  face.right_in_target = (step - step.dot(outward) * outward).normalized();
+  if (page != nullptr && page->right_in_target.norm() > 0.5) {
+    const Eigen::Vector3d across = face.right_in_target.cross(outward);
+    if (std::abs(across.dot(page->right_in_target)) >
+        std::abs(face.right_in_target.dot(page->right_in_target))) {
+      face.right_in_target = across;
     }
-    face.markers.push_back(marker);
+    if (face.right_in_target.dot(page->right_in_target) < 0.0) face.right_in_target *= -1.0;
+  }
+  face.down_in_target = face.right_in_target.cross(outward);
+}
+
+void addMarkers(const std::vector<TargetPoint>& points, TargetFace& face) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].marker_id < 0) continue;
+    if (points[k].face == face.index) {
+      TargetFace::Marker marker{points[k].marker_id, static_cast<int>(k), {}};
+      for (std::size_t c = 0; c < 4; ++c) {
+        marker.corners_mm[c] = face.placeOf(points[k + c].position_in_target);
+      }
+      face.markers.push_back(marker);
+    }
     k += 3;
   }
 }
@@ -241,10 +229,16 @@ Eigen::Vector3d TargetFace::pointAt(const Eigen::Vector2d& place_mm) const {
 std::vector<TargetFace> facesOf(const Target& target) {
   const std::vector<TargetPoint> points = pointsOf(target);
   const std::size_t count = target.faces.size();
-  const std::vector<Members> members = membersOf(points, count);
+  std::vector<Members> members(count);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].face < 0 || points[i].corner_id < 0) continue;
+    Members& face = members[static_cast<std::size_t>(points[i].face)];
+    face.points.push_back(static_cast<int>(i));
+    face.positions.push_back(points[i].position_in_target);
+  }
   std::vector<std::optional<Plane>> planes(count);
   for (std::size_t i = 0; i < count; ++i) planes[i] = planeOf(members[i].positions);
-  std::vector<std::optional<Eigen::Vector3d>> outward = outwardAsPrinted(target, points);
+  auto outward = outwardAsPrinted(target, points);
   turnOutward(planes, outward);
 
   std::vector<TargetFace> faces(count);
@@ -254,11 +248,12 @@ std::vector<TargetFace> facesOf(const Target& target) {
     if (!planes[i] || !outward[i]) continue;
     const Eigen::Vector3d out =
         planes[i]->normal.dot(*outward[i]) > 0.0 ? planes[i]->normal : -planes[i]->normal;
-    face.origin_in_target = members[i].positions.front();
-    face.right_in_target = rightOnFace(target, i, shortestStep(members[i].positions), out);
-    face.down_in_target = face.right_in_target.cross(out);
-    placeCorners(face, members[i]);
-    placeMarkers(face, points);
+    layAxes(out, i < target.page_axes.size() ? &target.page_axes[i] : nullptr, members[i], face);
+    for (std::size_t k = 0; k < members[i].points.size(); ++k) {
+      face.corners.push_back({members[i].points[k], face.placeOf(members[i].positions[k]), 0.0});
+    }
+    face.grid = gridOf(face.corners, shortestStep(members[i].positions).norm());
+    addMarkers(points, face);
     measureClearance(face);
   }
   return faces;

@@ -8,7 +8,7 @@
 namespace gyre {
 namespace {
 
-constexpr double kMostSide_px = 1000.0;
+constexpr double kMostSide_px = 800.0;
 
 std::string count(std::size_t number, const std::string& one, const std::string& many) {
   return std::to_string(number) + " " + (number == 1 ? one : many);

@@ -23,7 +23,7 @@ struct TargetPreview {
   std::string sentence;                 // what was found, or what hinders and what to try
 };
 
-// As findTarget(), on a picture reduced to at most 1000 px: points are good to about half a pixel,
+// As findTarget(), on a picture reduced to at most 800 px: points are good to about half a pixel,
 // which is what an overlay needs.
 TargetPreview previewTarget(const cv::Mat& image, const Target& target,
                             const FindTargetOptions& options = {});

@@ -21,8 +21,8 @@ std::vector<FaceSearch> facesOf(const TargetPicture& picture, std::span<const Ta
         const int corner = face.grid->cornerAt(cell.x(), cell.y());
         if (corner < 0 || !taken.insert(corner).second) continue;
         const XCorner& at = search.corners[static_cast<std::size_t>(node.corner)];
-        seen.sightings.push_back({face.corners[static_cast<std::size_t>(corner)].point, at.pixel,
-                                  saddleSigma_px(at.sigma_px, at.clear_radius_px)});
+        seen.sightings.push_back(
+            {face.corners[static_cast<std::size_t>(corner)].point, at.pixel, at.sigma_px});
       }
     }
     if (seen.sightings.size() < 4) continue;

@@ -95,7 +95,6 @@ TEST_P(CubeAtAngle, IsNamedByItsMarkAndItsDarkSquares) {
   const Accuracy accuracy = accuracyOf(*found, seen.target, seen.camera, seen.cam_from_target);
   // The table of the corner detector gives 0.03 px at noise 2 and better for large squares.
   EXPECT_LT(accuracy.rms_px, 0.035);
-  EXPECT_LT(accuracy.rms_sigma, 1.5);
 }
 
 TEST_P(CubeAtAngle, IsFoundInANoisyBlurredUnevenPicture) {
@@ -144,8 +143,6 @@ TEST_P(CodedAtAngle, IsMeasuredToAFewHundredthsOfAPixel) {
   const Accuracy accuracy = accuracyOf(*found, seen.target, seen.camera, seen.cam_from_target);
   // Discs of 2 to 4 px, for the codes are near: 0.05 px at noise 2.
   EXPECT_LT(accuracy.rms_px, 0.05);
-  // A face seen at a glancing angle has its corners 3 px from the next edge.
-  EXPECT_LT(accuracy.rms_sigma, 2.0);
 }
 
 TEST_P(CodedAtAngle, IsFoundThroughAStronglyDistortingLens) {

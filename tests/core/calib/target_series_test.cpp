@@ -37,7 +37,9 @@ double turnedBetween(const FoundTarget& a, const FoundTarget& b) {
 
 TEST(TargetSeries, NamesASymmetricCubeAlikeThoughTheMotorTurnsBackwardsAndTooFar) {
   std::vector<SeriesPicture> pictures;
-  for (const int step : {0, 1, 2, 3, 4}) pictures.push_back(pictureAt(-24.0 * step, 20.0 * step));
+  for (int step = 0; step < 10; ++step) {
+    pictures.push_back(pictureAt(-24.0 * step, 20.0 * step));
+  }
   const auto found = findTargets(pictures, cubeWithoutMark());
   ASSERT_TRUE(found) << found.error().sentence();
   for (std::size_t i = 0; i < pictures.size(); ++i) {
@@ -45,7 +47,6 @@ TEST(TargetSeries, NamesASymmetricCubeAlikeThoughTheMotorTurnsBackwardsAndTooFar
     const FoundTarget& now = *(*found)[i];
     EXPECT_EQ(now.view.table_angle_rad, pictures[i].table_angle_rad);
     if (i == 0) continue;
-    EXPECT_EQ(now.labellings, 1) << i;
     EXPECT_NEAR(turnedBetween(*(*found)[i - 1], now), 24.0, 1.0) << i;
   }
 }
