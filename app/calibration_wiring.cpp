@@ -69,7 +69,11 @@ void wireWishes(WorkPage& page, CalibrationController& calibrations, ScanControl
                    &Controller::chooseTarget);
   QObject::connect(wizard.target_page, &TargetPage::printRequested, &calibrations,
                    &Controller::print);
-  QObject::connect(wizard.turn_page, &TurnPage::startRequested, &calibrations, &Controller::turn);
+  QObject::connect(wizard.turn_page, &TurnPage::startRequested, &calibrations,
+                   [&wizard, &calibrations] {
+                     wizard.turn_page->showRunning(0.0, TurnPage::tr("Beginning"));
+                     calibrations.turn();
+                   });
   QObject::connect(wizard.turn_page, &TurnPage::stopRequested, &calibrations, &Controller::stop);
   QObject::connect(wizard.result_page, &ResultPage::keepRequested, &scans,
                    [&wizard, &calibrations, &scans] {
