@@ -27,11 +27,11 @@ struct CameraDeviceInfo {
 
 // What an identified turntable is.
 struct TurntableInfo {
-  std::string firmware;   // "Grbl 1.1h"
-  std::string device_id;  // stable across reconnects where the port has a stable name
-  std::string axis;       // letter of the firmware's axis that turns
+  std::string firmware;         // "Grbl 1.1h"
+  std::string device_id;        // stable across reconnects where the port has a stable name
+  std::string axis;             // letter of the firmware's axis that turns
   double units_per_turn = 0.0;  // what the firmware counts in one turn
-  int direction = 1;      // +1 when the firmware's plus is counter-clockwise from above
+  int direction = 1;            // +1 when the firmware's plus is counter-clockwise from above
   double steps_per_turn = 0.0;
   std::vector<std::string> hindrances;  // settings that hinder turning, in words
 };

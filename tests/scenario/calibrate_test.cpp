@@ -140,7 +140,9 @@ TEST_F(Calibrate, NamesWhatSpoilsThePictures) {
     cv::GaussianBlur(clean, out, {}, 12.0);
     return out;
   };
-  const auto overexposed = [](const cv::Mat& clean) -> cv::Mat { return 8.0 * clean + cv::Scalar::all(220.0); };
+  const auto overexposed = [](const cv::Mat& clean) -> cv::Mat {
+    return 8.0 * clean + cv::Scalar::all(220.0);
+  };
   const auto cut_off = [](const cv::Mat& clean) {
     cv::Mat out = clean.clone();
     out(cv::Rect(0, 0, out.cols, out.rows * 7 / 10)).setTo(90);

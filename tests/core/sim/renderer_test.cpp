@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
-#include <opencv2/core.hpp>
 #include <oneapi/tbb/global_control.h>
+#include <opencv2/core.hpp>
 
 #include "core/geometry/turntable_pose.h"
 
