@@ -81,6 +81,7 @@ std::vector<int> CornerIndex::nearest(const Eigen::Vector2d& pixel, std::size_t 
   std::sort(found.begin(), found.end());
   if (found.size() > count) found.resize(count);
   std::vector<int> indices;
+  indices.reserve(found.size());
   for (const auto& [distance, i] : found) indices.push_back(i);
   return indices;
 }

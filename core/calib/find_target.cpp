@@ -21,7 +21,8 @@ std::vector<FaceFinding> findingsOf(const std::vector<TargetPoint>& points,
     ++seen[points[static_cast<std::size_t>(sighting.point)].face];
   }
   std::vector<FaceFinding> findings;
-  for (const auto& [face, count] : seen) {
+  for (const auto& each : seen) {
+    const int face = each.first;
     int expected = 0;
     if (face >= 0 && !faces[static_cast<std::size_t>(face)].corners.empty()) {
       expected = static_cast<int>(faces[static_cast<std::size_t>(face)].corners.size());
@@ -30,7 +31,7 @@ std::vector<FaceFinding> findingsOf(const std::vector<TargetPoint>& points,
         return p.face == face && p.marker_id >= 0;
       }));
     }
-    findings.push_back({face, count, expected});
+    findings.push_back({face, each.second, expected});
   }
   return findings;
 }

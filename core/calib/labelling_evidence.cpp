@@ -41,7 +41,7 @@ int markSeen(const AssignmentInput& input, const LatticeAssignment& labelling,
   if (face == input.faces.end() || !looksAtCamera(*face, pose.cam_from_target, kPlainView)) {
     return 0;
   }
-  const auto brightnessAtPlace = [&](const Eigen::Vector2d& offset_mm) {
+  const auto brightness_at = [&](const Eigen::Vector2d& offset_mm) {
     return brightnessOf(input, pose,
                         dot.centre_in_target + offset_mm.x() * face->right_in_target +
                             offset_mm.y() * face->down_in_target);
@@ -57,13 +57,13 @@ int markSeen(const AssignmentInput& input, const LatticeAssignment& labelling,
   for (int k = 0; k < 4; ++k) {
     const double angle_rad = 0.25 * kTurn_rad * k;
     const Eigen::Vector2d way(std::cos(angle_rad), std::sin(angle_rad));
-    const auto near = brightnessAtPlace(ring_mm * way);
-    const auto next = brightnessAtPlace(square_mm * way);
+    const auto near = brightness_at(ring_mm * way);
+    const auto next = brightness_at(square_mm * way);
     if (!near || !next) return 0;
     around += 0.25 * *near;
     beside += 0.25 * *next;
   }
-  const auto middle = brightnessAtPlace({0.0, 0.0});
+  const auto middle = brightness_at({0.0, 0.0});
   if (!middle || std::abs(beside - around) < 1.0) return 0;
   // 1 when the middle is as bright as the squares beside, 0 when it is as its own.
   const double contrast = (*middle - around) / (beside - around);

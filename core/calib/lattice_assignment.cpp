@@ -124,15 +124,15 @@ class Assigner {
   // cam_from_target of a lattice that lies so on a face. The lattice's frame has squares of 1.
   Rigid3 poseOf(const LatticeOnFace& way, const Rigid3& cam_from_lattice) const {
     const TargetFace& face = faceOf(way);
-    const auto pointOf = [&](const Eigen::Vector2i& cell) -> Eigen::Vector3d {
+    const auto point_of = [&](const Eigen::Vector2i& cell) -> Eigen::Vector3d {
       const Eigen::Vector2d first = firstPlace(face);
       return face.pointAt(first +
                           cellOnFace(way, cell).cast<double>().cwiseProduct(face.grid->pitch_mm));
     };
-    const Eigen::Vector3d origin = pointOf({0, 0});
+    const Eigen::Vector3d origin = point_of({0, 0});
     Rigid3 target_from_lattice;
-    target_from_lattice.rotation.col(0) = (pointOf({1, 0}) - origin).normalized();
-    target_from_lattice.rotation.col(1) = (pointOf({0, 1}) - origin).normalized();
+    target_from_lattice.rotation.col(0) = (point_of({1, 0}) - origin).normalized();
+    target_from_lattice.rotation.col(1) = (point_of({0, 1}) - origin).normalized();
     target_from_lattice.rotation.col(2) = -face.outwardInTarget();
     target_from_lattice.translation = origin;
     Rigid3 scaled = cam_from_lattice;

@@ -132,6 +132,7 @@ std::optional<Side> lineThrough(std::vector<Eigen::Vector2d> edges, const Eigen:
     side.scatter_px =
         std::sqrt(solver.eigenvalues()[0] / (static_cast<double>(edges.size()) - 2.0));
     std::vector<double> misses;
+    misses.reserve(edges.size());
     for (const auto& edge : edges) {
       misses.push_back(std::abs(side.outward().dot(edge - side.middle)));
     }

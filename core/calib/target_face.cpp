@@ -55,6 +55,7 @@ Eigen::Vector3d shortestStep(const std::vector<Eigen::Vector3d>& positions) {
 // The least difference between two coordinates that is not just inaccuracy.
 double pitchOf(const std::vector<TargetFace::Corner>& corners, int axis, double least_mm) {
   std::vector<double> sorted;
+  sorted.reserve(corners.size());
   for (const auto& corner : corners) sorted.push_back(corner.place_mm[axis]);
   std::sort(sorted.begin(), sorted.end());
   double pitch_mm = std::numeric_limits<double>::max();
@@ -105,7 +106,7 @@ void turnOutward(const std::vector<std::optional<Plane>>& planes,
     }
   }
   if (flattest == planes.size()) return;
-  const auto lieAbove = [&](std::size_t face, const Eigen::Vector3d& normal) {
+  const auto lie_above = [&](std::size_t face, const Eigen::Vector3d& normal) {
     double sum = 0.0;
     for (const auto& other : planes) {
       if (other) sum += normal.dot(other->middle - planes[face]->middle);
@@ -115,13 +116,13 @@ void turnOutward(const std::vector<std::optional<Plane>>& planes,
   const Eigen::Vector3d up = planes[flattest]->normal.z() < 0.0
                                  ? Eigen::Vector3d(-planes[flattest]->normal)
                                  : planes[flattest]->normal;
-  const bool hollow = lieAbove(flattest, up);
+  const bool hollow = lie_above(flattest, up);
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (!planes[i] || outward[i]) continue;
     if (i == flattest) {
       outward[i] = up;
     } else {
-      const bool as_is = lieAbove(i, planes[i]->normal) == hollow;
+      const bool as_is = lie_above(i, planes[i]->normal) == hollow;
       outward[i] = as_is ? planes[i]->normal : Eigen::Vector3d(-planes[i]->normal);
     }
   }

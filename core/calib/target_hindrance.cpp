@@ -92,6 +92,7 @@ template <class Each>
 double medianSide(const std::vector<Each>& quadrangles,
                   const MarkerCorners& (*corners)(const Each&)) {
   std::vector<double> sides;
+  sides.reserve(quadrangles.size());
   for (const Each& each : quadrangles) sides.push_back(sideOf(corners(each)));
   std::sort(sides.begin(), sides.end());
   return sides[sides.size() / 2];
