@@ -19,8 +19,8 @@ namespace gyre {
 struct LatticeAssignment {
   std::vector<LatticeOnFace> laid;
   TargetPose pose;
-  int corners = 0;     // of the target that the lattices cover
-  int missing = 0;     // of faces that look at the camera, and not of those lattices
+  int corners = 0;             // of the target that the lattices cover
+  int missing = 0;             // of faces that look at the camera, and not of those lattices
   std::vector<Rigid3> others;  // cam_from_target of the other labellings that fit equally well
 };
 

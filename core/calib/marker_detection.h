@@ -30,8 +30,8 @@ struct MarkerDetection {
 // under occlusion" (2014), by OpenCV.
 Result<MarkerDetection> detectMarkers(const cv::Mat& grey, const std::string& dictionary);
 
-// Another dictionary of which the picture shows more codes than chance would, three or more, and how
-// many: the printed target is not the one that is looked for. Empty when there is none.
+// Another dictionary of which the picture shows more codes than chance would, three or more, and
+// how many: the printed target is not the one that is looked for. Empty when there is none.
 struct ForeignMarkers {
   std::string dictionary;
   int markers = 0;
