@@ -65,6 +65,7 @@ Result<std::vector<Snap>> clickedPoints(const std::vector<TargetPoint>& points,
 
 std::vector<KnownPoint> knownPoints(const std::vector<Snap>& snaps) {
   std::vector<KnownPoint> known;
+  known.reserve(snaps.size());
   for (const Snap& snap : snaps) known.push_back(snap.known);
   return known;
 }

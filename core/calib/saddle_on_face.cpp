@@ -41,14 +41,14 @@ std::optional<MeasuredSaddle> measureSaddle(const TargetPicture& picture,
       std::max(kLeastDrawnClear_px, corner.clear_mm * jacobian.jacobiSvd().singularValues()[0]);
   const double step_mm = corner.clear_mm / drawn_clear_px;
   const Eigen::Vector2d centre(kHalf_px, kHalf_px);
-  const auto pixelOf = [&](const Eigen::Vector2d& drawn) -> Eigen::Vector2d {
+  const auto pixel_of = [&](const Eigen::Vector2d& drawn) -> Eigen::Vector2d {
     return throughHomography(corner.pixel_from_place, corner.place_mm + step_mm * (drawn - centre));
   };
   constexpr int kSide_px = 2 * kHalf_px + 1;
   cv::Mat map(kSide_px, kSide_px, CV_32FC2);
   for (int y = 0; y < kSide_px; ++y) {
     for (int x = 0; x < kSide_px; ++x) {
-      const Eigen::Vector2d pixel = pixelOf(Eigen::Vector2d(x, y));
+      const Eigen::Vector2d pixel = pixel_of(Eigen::Vector2d(x, y));
       map.at<cv::Vec2f>(y, x) = cv::Vec2f(pixel.cast<float>().eval().data());
     }
   }
@@ -62,7 +62,7 @@ std::optional<MeasuredSaddle> measureSaddle(const TargetPicture& picture,
   const auto fit = fitSaddle(blurredForSaddles(drawn), centre, radius_px, noise_grey);
   if (!fit) return std::nullopt;
   MeasuredSaddle measured;
-  measured.pixel = pixelOf(fit->pixel);
+  measured.pixel = pixel_of(fit->pixel);
   const double margin_px = 2.0;
   if (!(measured.pixel.x() >= margin_px && measured.pixel.y() >= margin_px &&
         measured.pixel.x() <= picture.grey.cols - 1 - margin_px &&

@@ -83,7 +83,7 @@ void expectRightNames(const Seen& seen, const Result<FoundTarget>& found, std::s
 }
 
 class CubeAtAngle : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(FullTurn, CubeAtAngle, testing::Range(0, 360, 15));
+INSTANTIATE_TEST_SUITE_P(FullTurn, CubeAtAngle, testing::Range(0, 360, 45));
 
 TEST_P(CubeAtAngle, IsNamedByItsMarkAndItsDarkSquares) {
   Trial trial;
@@ -129,7 +129,7 @@ TEST_P(CubeAtAngle, IsFoundBehindAnObstacle) {
 class CodedAtAngle : public testing::TestWithParam<std::tuple<const char*, int>> {};
 INSTANTIATE_TEST_SUITE_P(FullTurn, CodedAtAngle,
                          testing::Combine(testing::Values("wedge", "coded-cube"),
-                                          testing::Range(0, 360, 30)));
+                                          testing::Range(0, 360, 60)));
 
 TEST_P(CodedAtAngle, IsMeasuredToAFewHundredthsOfAPixel) {
   Trial trial;
