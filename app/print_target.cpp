@@ -45,7 +45,6 @@ class ScreenlessApplication {
 QPen penFor(PrintLine::Kind kind) {
   switch (kind) {
     case PrintLine::Kind::kCut:
-      return QPen(Qt::black, 0.18);
     case PrintLine::Kind::kFlap:
       return QPen(Qt::black, 0.18);
     case PrintLine::Kind::kFold: {
