@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -17,7 +18,7 @@ template <class Number>
 Number quantile(std::vector<Number> values, double share) {
   GYRE_CHECK(!values.empty());
   const auto last = static_cast<double>(values.size() - 1);
-  const auto place = static_cast<std::ptrdiff_t>(share * last + 0.5);
+  const auto place = static_cast<std::ptrdiff_t>(std::lround(share * last));
   std::nth_element(values.begin(), values.begin() + place, values.end());
   return values[static_cast<std::size_t>(place)];
 }
