@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -13,6 +15,7 @@
 
 #include "app/settings.h"
 #include "app/workbench.h"
+#include "ui/calibration_panel.h"
 #include "ui/scene_canvas.h"
 #include "ui/scene_view.h"
 #include "ui/theme.h"
@@ -52,6 +55,10 @@ class Photographer final : public QObject {
       QTimer::singleShot(500, this, [this] { take(); });
       return;
     }
+    if (options.scene == "calibrate") {
+      showTarget();
+      return;
+    }
     const QString folder = work_.filePath("duck");
     bench_.runDemo("duck", kPictureViews, folder);
     if (options.scene == "scan") {
@@ -68,6 +75,21 @@ class Photographer final : public QObject {
   }
 
  private:
+  // The wizard's page on which the target is put in place, once it is seen.
+  void showTarget() {
+    CalibrationPanel* panel = bench_.window().work_page->calibration_panel;
+    bench_.window().showWork(Step::kCalibrate);
+    connect(&bench_.controller().devices(), &DeviceSession::opened, panel, [this, panel] {
+      panel->showWizard();
+      bench_.calibrations().chooseTarget({"wedge", {}, {}});
+      panel->wizard->showStep(WizardStep::kPlace);
+    });
+    connect(&bench_.calibrations(), &CalibrationController::sightSeen, this,
+            [this](const TargetSight& sight) {
+              if (sight.passes) takeSoon();
+            });
+    bench_.controller().devices().open("sim:target", "sim");
+  }
   // After what the same news has changed elsewhere was painted.
   void takeSoon() {
     if (std::exchange(asked_, true)) return;
@@ -103,8 +125,9 @@ int takeScreenshot(const GuiOptions& options) {
 
 int runGui(int argc, char** argv, const GuiOptions& options) {
   const bool pictures = !options.screenshot.empty();
-  if (pictures && options.scene != "start" && options.scene != "scan" && options.scene != "mesh") {
-    failWith("There is no such scene. Give --scene start, scan or mesh.");
+  constexpr std::array kScenes = {"start", "calibrate", "scan", "mesh"};
+  if (pictures && std::find(kScenes.begin(), kScenes.end(), options.scene) == kScenes.end()) {
+    failWith("There is no such scene. Give --scene start, calibrate, scan or mesh.");
     return 2;
   }
   if (pictures && !hasDisplay()) qputenv("QT_QPA_PLATFORM", "offscreen");

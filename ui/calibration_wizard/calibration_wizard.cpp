@@ -42,10 +42,12 @@ CalibrationWizard::CalibrationWizard(QWidget* parent) : QWidget(parent) {
   buttons->addWidget(leave_);
   buttons->addWidget(back_);
   buttons->addWidget(next_, 1);
+  // On top, where they stay in sight however long a page is.
   card->addWidget(where_);
-  card->addWidget(stack_);
-  card->addWidget(hindrance_);
   card->addLayout(buttons);
+  card->addWidget(hindrance_);
+  card->addWidget(makeRule());
+  card->addWidget(stack_);
   outer->addStretch(1);
   connect(back_, &QPushButton::clicked, this, &CalibrationWizard::goBack);
   connect(next_, &QPushButton::clicked, this, &CalibrationWizard::goOn);
@@ -59,6 +61,11 @@ WizardStep CalibrationWizard::step() const {
 
 void CalibrationWizard::showStep(WizardStep step) {
   const int index = static_cast<int>(step);
+  for (WizardPage* one : pages_) {  // only the page that is shown takes room
+    one->setSizePolicy(QSizePolicy::Preferred, one == page(static_cast<std::size_t>(index))
+                                                   ? QSizePolicy::Preferred
+                                                   : QSizePolicy::Ignored);
+  }
   stack_->setCurrentIndex(index);
   where_->setText(tr("Calibrate · page %1 of %2").arg(index + 1).arg(kWizardSteps));
   back_->setEnabled(index > 0);
