@@ -181,7 +181,8 @@ TEST_F(SceneViewTest, ShowsTheWholeRigWithItsCamera) {
   constexpr QRgb kCamera = qRgb(230, 140, 46);
   Calibration calibration;
   calibration.camera = {640, 480, 1200.0, 1200.0, 0.0, 319.5, 239.5};
-  // 900 mm off along x, out of sight, looking back at the axis: cam z = -x, cam y = -z of the table.
+  // 900 mm off along x, out of sight, looking back at the axis: cam z = -x, cam y = -z of the
+  // table.
   Rigid3 cam_from_table;
   cam_from_table.rotation << 0, 1, 0, 0, 0, -1, -1, 0, 0;
   cam_from_table.translation = {0.0, 20.0, 900.0};
