@@ -8,9 +8,9 @@
 #include <QDateTime>
 
 #include "app/print_target.h"
-#include "core/calib/find_target.h"
 #include "core/calib/ruler_scale.h"
 #include "core/calib/standard_targets.h"
+#include "core/calib/target_preview.h"
 #include "core/io/calibration_record_file.h"
 #include "core/io/target_file.h"
 #include "core/pipeline/check_before_scan.h"
@@ -22,9 +22,6 @@ namespace gyre {
 namespace {
 
 constexpr double kCaliperSigma_mm = 0.05;  // what a household caliper and a steady hand come to
-// A face tells something from so many of its points on.
-constexpr int kFewestPoints = 8;
-constexpr double kFewestShare = 0.25;
 
 Result<Target> readChosen(const TargetChoice& choice) {
   const std::string word = choice.word.toStdString();
@@ -38,56 +35,6 @@ Result<Target> asPrinted(const TargetChoice& choice) {
   auto target = readChosen(choice);
   if (!target || !choice.ruler_right_mm || !choice.ruler_down_mm) return target;
   return scaledByRulers(*target, {*choice.ruler_right_mm, *choice.ruler_down_mm});
-}
-
-TargetSight sightOf(const Target& target, const FoundTarget& found) {
-  TargetSight sight;
-  sight.faces.resize(target.faces.size());
-  for (const FaceFinding& finding : found.faces) {
-    if (finding.face < 0) continue;
-    const bool passes =
-        finding.seen >= kFewestPoints && finding.seen >= kFewestShare * finding.expected;
-    sight.faces.at(static_cast<std::size_t>(finding.face)) = {finding.seen, finding.expected,
-                                                              passes};
-  }
-  const auto points = pointsOf(target);
-  for (FaceSight& face : sight.faces) {
-    if (face.points > 0) continue;
-    const auto index = static_cast<int>(&face - sight.faces.data());
-    face.points = static_cast<int>(std::count_if(
-        points.begin(), points.end(),
-        [index](const TargetPoint& point) { return point.face == index && point.corner_id >= 0; }));
-  }
-  for (const PointSighting& seen : found.view.sightings) {
-    sight.found_px.emplace_back(seen.pixel.cast<float>());
-  }
-  sight.passes =
-      target.faces.empty() || std::any_of(sight.faces.begin(), sight.faces.end(),
-                                          [](const FaceSight& face) { return face.passes; });
-  sight.sentence = sight.passes ? "The target is seen."
-                                : "No face of the target is seen well enough: turn it towards the "
-                                  "camera, or bring the camera nearer.";
-  return sight;
-}
-
-TargetSight sightIn(const cv::Mat& image_bgr, const Target& target, const Task& task) {
-  const auto found = findTarget(image_bgr, target, {}, task);
-  if (found) return sightOf(target, *found);
-  TargetSight sight;
-  sight.sentence = found.error().sentence();
-  return sight;
-}
-
-QString focusAdvice(const Exposure& exposure) {
-  constexpr double kTooMuch = 0.05;
-  if (exposure.too_bright > kTooMuch) {
-    return CalibrationController::tr(
-        "White areas hold no detail: dim the light or expose shorter.");
-  }
-  if (exposure.too_dark > kTooMuch) {
-    return CalibrationController::tr("Black areas hold no detail: add light or expose longer.");
-  }
-  return {};
 }
 
 }  // namespace
@@ -140,11 +87,18 @@ void CalibrationController::print(const QString& word, const QString& page, cons
                    "Choose one of the program's own targets."});
     return;
   }
-  if (const auto written = printTarget(*target, *size, folder.toStdString()); !written) {
-    Q_EMIT failed(written.error());
-    return;
-  }
-  Q_EMIT printed(folder + '/' + word + ".pdf");
+  const QString file = folder + '/' + word + ".pdf";
+  look_jobs_.start(
+      [target = *target, size = *size, folder = folder.toStdString()](const Task&) {
+        return printTarget(target, size, folder);
+      },
+      [this, file](const Result<void>& written) {
+        if (written) {
+          Q_EMIT printed(file);
+        } else {
+          Q_EMIT failed(written.error());
+        }
+      });
 }
 
 void CalibrationController::watch(WizardStep step) {
@@ -183,7 +137,7 @@ void CalibrationController::lookAtFocus(const FramePtr& frame) {
         facts.sharpness = sharpest_ > 0.0 ? seen->sharpness / sharpest_ : 0.0;
         facts.too_bright = seen->exposure.too_bright;
         facts.too_dark = seen->exposure.too_dark;
-        facts.advice = focusAdvice(seen->exposure);
+        facts.advice = QString::fromStdString(exposureAdvice(seen->exposure));
         Q_EMIT focusSeen(facts);
       });
 }
@@ -192,7 +146,7 @@ void CalibrationController::lookForTarget(const FramePtr& frame) {
   auto sight = std::make_shared<TargetSight>();
   look_jobs_.start(
       [sight, frame, chosen = chosen_](const Task& task) -> Result<void> {
-        *sight = sightIn(frame->image_bgr, chosen->target, task);
+        *sight = previewTarget(frame->image_bgr, chosen->target, {}, task);
         return {};
       },
       [this, sight](const Result<void>& outcome) {

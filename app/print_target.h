@@ -12,7 +12,7 @@ namespace gyre {
 
 // Writes NAME.pdf, one page at true size, and NAME.target.json in the folder, which is made when it
 // is not there. Needs fonts and no screen: where no Qt application runs yet, one without a screen
-// is started for as long as this takes. In the main thread.
+// is started for as long as this takes, and then it must be the main thread; else any.
 Result<void> printTarget(const StandardTarget& target, const PageSize& page,
                          const std::filesystem::path& folder);
 

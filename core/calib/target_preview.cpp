@@ -2,6 +2,8 @@
 #include "core/calib/target_preview.h"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -27,35 +29,61 @@ CameraModel scaledCamera(const CameraModel& camera, double scale) {
   return scaled;
 }
 
+// Every face of the target, with nothing seen of it yet.
+std::vector<FaceSight> unseenFaces(const Target& target) {
+  std::vector<FaceSight> faces(target.faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    faces[i].points = static_cast<int>(target.faces[i].size());
+  }
+  return faces;
+}
+
+std::string sentenceFor(const TargetSight& sight) {
+  if (!sight.passes) {
+    return "No face of the target is seen well enough: turn it towards the camera, or bring the "
+           "camera nearer.";
+  }
+  std::size_t seen = 0;
+  bool half_hidden = false;
+  for (const FaceSight& face : sight.faces) {
+    seen += static_cast<std::size_t>(face.seen > 0);
+    half_hidden |= face.seen > 0 && !face.passes;
+  }
+  const std::string points = "Found " + count(sight.found_px.size(), "point", "points");
+  if (sight.faces.empty()) return points + ".";
+  return points + " on " + count(seen, "face", "faces") +
+         (half_hidden ? "; some faces are half hidden." : ".");
+}
+
 }  // namespace
 
-TargetPreview previewTarget(const cv::Mat& image, const Target& target,
-                            const FindTargetOptions& options) {
-  TargetPreview preview;
+TargetSight previewTarget(const cv::Mat& image, const Target& target,
+                          const FindTargetOptions& options, const Task& task) {
+  TargetSight sight;
+  sight.faces = unseenFaces(target);
   const double scale = std::min(1.0, kMostSide_px / std::max({image.cols, image.rows, 1}));
   cv::Mat small = image;
   if (scale < 1.0) cv::resize(image, small, {}, scale, scale, cv::INTER_AREA);
   FindTargetOptions scaled = options;
   if (scaled.camera) scaled.camera = scaledCamera(*options.camera, scale);
-  const auto found = findTarget(small, target, scaled);
+  const auto found = findTarget(small, target, scaled, task);
   if (!found) {
-    preview.sentence = found.error().sentence();
-    return preview;
+    sight.sentence = found.error().sentence();
+    return sight;
   }
   for (const PointSighting& sighting : found->view.sightings) {
-    preview.points.emplace_back((sighting.pixel.array() + 0.5) / scale - 0.5);
+    sight.found_px.emplace_back(
+        ((sighting.pixel.array() + 0.5) / scale - 0.5).matrix().cast<float>());
   }
-  std::size_t passed = 0;
-  for (const FaceFinding& face : found->faces) {
-    const bool pass = 2 * face.seen >= face.expected;
-    preview.faces.push_back({face.face, face.seen, face.expected, pass});
-    passed += static_cast<std::size_t>(pass);
+  sight.passes = sight.faces.empty();
+  for (const FaceFinding& finding : found->faces) {
+    if (finding.face < 0) continue;
+    FaceSight& face = sight.faces.at(static_cast<std::size_t>(finding.face));
+    face = {finding.seen, finding.expected, 2 * finding.seen >= finding.expected};
+    sight.passes |= face.passes;
   }
-  preview.pass = true;
-  preview.sentence = "Found " + count(preview.points.size(), "point", "points") + " on " +
-                     count(found->faces.size(), "face", "faces") +
-                     (passed < found->faces.size() ? "; some faces are half hidden." : ".");
-  return preview;
+  sight.sentence = sentenceFor(sight);
+  return sight;
 }
 
 }  // namespace gyre

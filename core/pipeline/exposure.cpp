@@ -14,6 +14,7 @@ namespace {
 // A little short of the limits: sensors and codecs seldom reach 255 and 0 exactly.
 constexpr std::uint8_t kWhite = 252;
 constexpr std::uint8_t kBlack = 6;
+constexpr double kTooMuch = 0.05;
 
 }  // namespace
 
@@ -32,6 +33,16 @@ Exposure exposureOf(const cv::Mat& image_bgr) {
   }
   const auto all = static_cast<double>(image_bgr.total());
   return {static_cast<double>(white) / all, static_cast<double>(black) / all};
+}
+
+std::string exposureAdvice(const Exposure& exposure) {
+  if (exposure.too_bright > kTooMuch) {
+    return "White areas hold no detail: dim the light or expose shorter.";
+  }
+  if (exposure.too_dark > kTooMuch) {
+    return "Black areas hold no detail: add light or expose longer.";
+  }
+  return {};
 }
 
 }  // namespace gyre

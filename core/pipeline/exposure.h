@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "core/scan/frame.h"
 
 namespace gyre {
@@ -14,5 +16,8 @@ struct Exposure {
 
 // Any thread.
 Exposure exposureOf(const cv::Mat& image_bgr);
+
+// What to change, one sentence; empty when a twentieth of the picture at most is lost.
+std::string exposureAdvice(const Exposure& exposure);
 
 }  // namespace gyre

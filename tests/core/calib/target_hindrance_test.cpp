@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calib/target_hindrance.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -159,24 +161,29 @@ TEST(TargetPreview, ShowsWhatIsFoundFaceByFace) {
   const auto camera = test::plainCamera(1280, 960);
   const Rigid3 cam_from_target = lookAtTarget(260.0, radFromDeg(35.0), radFromDeg(40.0));
   const cv::Mat image = test::renderTarget(cube, camera, cam_from_target);
-  const TargetPreview preview = previewTarget(image, cube);
-  EXPECT_TRUE(preview.pass) << preview.sentence;
-  ASSERT_GE(preview.faces.size(), 2u);
-  EXPECT_TRUE(preview.faces.front().pass);
+  const TargetSight preview = previewTarget(image, cube);
+  EXPECT_TRUE(preview.passes) << preview.sentence;
+  ASSERT_EQ(preview.faces.size(), cube.faces.size());
+  EXPECT_TRUE(preview.faces.front().passes);
+  // The side that looks away is told with its points, none of them seen.
+  EXPECT_TRUE(std::any_of(preview.faces.begin(), preview.faces.end(), [](const FaceSight& face) {
+    return face.seen == 0 && face.points > 0 && !face.passes;
+  }));
   EXPECT_THAT(preview.sentence, HasSubstr("points on"));
   const auto full = findTarget(image, cube);
   ASSERT_TRUE(full);
   double nearest_px = 1e9;
-  for (const auto& point : preview.points) {
-    nearest_px = std::min(nearest_px, (point - full->view.sightings.front().pixel).norm());
+  for (const auto& pixel : preview.found_px) {
+    nearest_px = std::min(
+        nearest_px, (pixel.cast<double>() - full->view.sightings.front().pixel).norm());
   }
   EXPECT_LT(nearest_px, 0.5);
 }
 
 TEST(TargetPreview, SaysWhatHinders) {
-  const TargetPreview preview =
+  const TargetSight preview =
       previewTarget(cv::Mat(960, 1280, CV_8UC3, cv::Scalar::all(3)), standard("cube"));
-  EXPECT_FALSE(preview.pass);
+  EXPECT_FALSE(preview.passes);
   EXPECT_THAT(preview.sentence, HasSubstr("too dark"));
 }
 

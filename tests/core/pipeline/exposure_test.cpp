@@ -27,5 +27,11 @@ TEST(Exposure, TakesAPictureThatIsAllWhite) {
   EXPECT_EQ(exposureOf(cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(255))).too_bright, 1.0);
 }
 
+TEST(Exposure, AdvisesByWhatIsLost) {
+  EXPECT_EQ(exposureAdvice({0.04, 0.05}), "");
+  EXPECT_NE(exposureAdvice({0.06, 0.0}).find("dim the light"), std::string::npos);
+  EXPECT_NE(exposureAdvice({0.0, 0.2}).find("add light"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace gyre
