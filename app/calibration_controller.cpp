@@ -88,17 +88,15 @@ void CalibrationController::print(const QString& word, const QString& page, cons
     return;
   }
   const QString file = folder + '/' + word + ".pdf";
-  look_jobs_.start(
-      [target = *target, size = *size, folder = folder.toStdString()](const Task&) {
-        return printTarget(target, size, folder);
-      },
-      [this, file](const Result<void>& written) {
-        if (written) {
-          Q_EMIT printed(file);
-        } else {
-          Q_EMIT failed(written.error());
-        }
-      });
+  look_jobs_.start([target = *target, size = *size, folder = folder.toStdString()](
+                       const Task&) { return printTarget(target, size, folder); },
+                   [this, file](const Result<void>& written) {
+                     if (written) {
+                       Q_EMIT printed(file);
+                     } else {
+                       Q_EMIT failed(written.error());
+                     }
+                   });
 }
 
 void CalibrationController::watch(WizardStep step) {

@@ -14,12 +14,15 @@
 #include "core/io/picture_file.h"
 #include "core/io/points_file.h"
 #include "core/pipeline/target_finder.h"
+#include "core/scan/picture_size.h"
 
 namespace gyre {
 namespace {
 
 // A caliper shows hundredths; marks of ink are a tenth wide, and are met to half of that.
 constexpr double kCaliperSigma_mm = 0.05;
+constexpr std::size_t kLeastHandHeld = 3;
+constexpr std::size_t kLeastChecked = 6;
 
 // "1280x960"; nothing for an empty text.
 Result<std::optional<Eigen::Vector2i>> imageSizeIn(const std::string& text) {
@@ -103,8 +106,8 @@ Result<CalibrationRecord> calibrateHandHeldSet(const std::filesystem::path& fold
   if (!pictures) return pictures.error();
   const auto size = commonSize(pictures->files);
   if (!size) return size.error();
-  const auto sighted =
-      sightPictures(*pictures, soughtTarget(*target), watcher, task.part(0.0, 0.8));
+  const auto sighted = sightPictures(*pictures, soughtTarget(*target), TargetHeld::kByHand, watcher,
+                                     kLeastHandHeld, task.part(0.0, 0.8));
   if (!sighted) return sighted.error();
   auto calibrated = calibrateHandHeld(*target, sighted->views, {size->width_px, size->height_px},
                                       {}, task.part(0.8, 1.0));
@@ -115,6 +118,28 @@ Result<CalibrationRecord> calibrateHandHeldSet(const std::filesystem::path& fold
   record.date = nowUtcText();
   record.target = target->name;
   return record;
+}
+
+Result<CalibrationCheck> checkByPictures(const std::filesystem::path& calibration,
+                                         const std::filesystem::path& folder,
+                                         const std::filesystem::path& angles,
+                                         const CalibrationWords& words,
+                                         const CalibrationWatcher& watcher, const Task& task) {
+  const auto known = readCalibration(calibration);
+  if (!known) return known.error();
+  const auto target = targetAtSize(words);
+  if (!target) return target.error();
+  const auto pictures = openCalibrationPictures(folder, angles);
+  if (!pictures) return pictures.error();
+  const auto size = commonSize(pictures->files);
+  if (!size) return size.error();
+  if (const auto same = checkCalibratedSize(*size, known->camera, "The pictures have"); !same) {
+    return same.error();
+  }
+  const auto sighted = sightPictures(*pictures, soughtTarget(*target), TargetHeld::kByTable,
+                                     watcher, kLeastChecked, task.part(0.0, 0.9));
+  if (!sighted) return sighted.error();
+  return checkCalibration(*known, sighted->views, *target, task.part(0.9, 1.0));
 }
 
 std::filesystem::path referenceFor(const std::filesystem::path& calibration_file) {

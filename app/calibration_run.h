@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/calib/calibrate_points.h"
+#include "core/calib/calibration_check.h"
 #include "core/pipeline/calibrate.h"
 #include "core/pipeline/check_before_scan.h"
 #include "core/scan/calibration_record.h"
@@ -41,6 +42,14 @@ Result<CalibrationRecord> calibrateFromPointsFile(const std::filesystem::path& f
 Result<CalibrationRecord> calibrateHandHeldSet(const std::filesystem::path& folder,
                                                const CalibrationWords& words,
                                                const CalibrationWatcher& watcher, const Task& task);
+
+// Measures a target in pictures of a turn with a calibration that was made before: another target,
+// or the same on another day. Both must be true to their files: nothing of them is solved.
+Result<CalibrationCheck> checkByPictures(const std::filesystem::path& calibration,
+                                         const std::filesystem::path& folder,
+                                         const std::filesystem::path& angles,
+                                         const CalibrationWords& words,
+                                         const CalibrationWatcher& watcher, const Task& task);
 
 // The picture by which a bump is told before a scan: beside the calibration, with its stem and the
 // ending .png. Keeps nothing when the outcome has none.

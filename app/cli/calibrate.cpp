@@ -1,7 +1,9 @@
 // gyre calibrate: camera and table from a target, in pictures or on a live rig.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <iomanip>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -33,6 +35,7 @@ struct Words {
   RigOptions rig;
   int turns_pictures = 24;
   std::string keep;
+  std::string check;
   std::string out;
   SimWords sim;
 };
@@ -58,6 +61,14 @@ Result<void> checkWords(const Words& words) {
   if (words.points.empty() && words.what.target.empty()) {
     return wrongWords("Nothing says which target is in the pictures.",
                       "Give --target with TARGET.json, or with the name of a printed target.");
+  }
+  if (words.out.empty() == words.check.empty()) {
+    return wrongWords("Nothing says whether to calibrate or to check.",
+                      "Give either --out for a new calibration, or --check with an older one.");
+  }
+  if (!words.check.empty() && (words.pictures.empty() || words.hand_held)) {
+    return wrongWords("A calibration is checked by pictures of a target that turns on the table.",
+                      "Give a folder of them beside --check.");
   }
   if (words.hand_held && (words.pictures.empty() || !words.angles.empty())) {
     return wrongWords("A hand-held set is a folder of pictures, without angles.",
@@ -107,6 +118,21 @@ int fromPictures(const Words& words, Console& console, const Task& task) {
   return endCalibration(console, words.out, recordOf(*outcome, nowUtcText()));
 }
 
+int check(const Words& words, Console& console, const Task& task) {
+  const auto checked = checkByPictures(words.check, words.pictures, words.angles, words.what,
+                                       watcherOf(console), task);
+  if (!checked) return console.fail(checked.error());
+  console.say(checked->sentence);
+  const double allowed_mm = VerdictLimits{}.acceptable_detail * words.what.object_size_mm;
+  if (checked->error_mm <= allowed_mm) return kDone;
+  std::ostringstream allowed;
+  allowed << std::fixed << std::setprecision(3) << allowed_mm;
+  return console.fail({Error::Code::kTooFew,
+                       "That is more than the " + allowed.str() + " mm that objects allow.",
+                       "Calibrate again: camera or table have moved, or the target is not what its "
+                       "file says."});
+}
+
 int fromRig(const Words& words, Console& console, const Task& task) {
   auto setup = calibrationSetup(words.what);
   if (!setup) return console.fail(setup.error());
@@ -143,6 +169,7 @@ int run(const Words& words, Console& console, const Task& task) {
     return console.wrongUse(valid.error());
   }
   if (!words.points.empty()) return fromPoints(words, console, task);
+  if (!words.check.empty()) return check(words, console, task);
   if (words.hand_held) return fromHand(words, console, task);
   return words.pictures.empty() ? fromRig(words, console, task)
                                 : fromPictures(words, console, task);
@@ -189,7 +216,10 @@ void addCalibrate(CLI::App& app, Run& chosen) {
                       "Known corners instead of pictures: a line `X Y Z u v` each, mm and px");
   command->add_option("--image-size", words->image_size, "With --points: such as 1280x960");
   command->add_flag("--tsai", words->tsai, "With --points: Tsai's method alone, as in the paper");
-  command->add_option("--out", words->out, "calibration.json to write")->required();
+  command->add_option(
+      "--check", words->check,
+      "Write nothing, but measure the target in the pictures with this calibration");
+  command->add_option("--out", words->out, "calibration.json to write");
   command->callback([&chosen, words] {
     chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };
   });

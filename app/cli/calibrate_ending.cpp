@@ -49,8 +49,8 @@ std::string turningText(double told_rad, double turned_rad) {
 }
 
 std::string pictureText(const SightedPicture& picture) {
-  if (!picture.view) return picture.frame->name + ": " + picture.reason;
-  return picture.frame->name + ": " + std::to_string(picture.view->sightings.size()) +
+  if (!picture.view) return picture.name + ": " + picture.reason;
+  return picture.name + ": " + std::to_string(picture.view->sightings.size()) +
          " points of the target.";
 }
 

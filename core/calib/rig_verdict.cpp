@@ -114,6 +114,30 @@ void judge(const RigBundleOptions& options, const CaptureFacts& facts, Calibrati
   }
 }
 
+void judgeByCheck(const CalibrationCheck& check, const RigBundleOptions& options,
+                  CalibrationReport& report) {
+  report.check_mm = check.detail_mm;
+  report.remarks.push_back(text(
+      "Checked by %zu points of the target that took no part in the solution: they were measured "
+      "to %.3f mm.",
+      check.points, check.detail_mm));
+  const double share = check.detail_mm / report.object_size_mm;
+  CalibrationVerdict verdict = report.verdict;
+  if (!(share <= options.limits.acceptable_detail)) {
+    verdict = CalibrationVerdict::kRedo;
+  } else if (!(share <= options.limits.good_detail) && verdict == CalibrationVerdict::kGood) {
+    verdict = CalibrationVerdict::kAcceptable;
+  }
+  if (verdict == report.verdict) return;
+  report.verdict = verdict;
+  report.sentence = std::string(wordOf(verdict)) +
+                    text(
+                        ": points of the target that took no part in the solution were measured "
+                        "only to %.3f mm. Glue the target to something flat and stiff, and see "
+                        "that it does not move on the table.",
+                        check.detail_mm);
+}
+
 std::vector<std::string> remarksOn(const CalibrationReport& report, const CaptureFacts& facts) {
   std::vector<std::string> remarks;
   remarkOnMotor(report, remarks);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calib/calibration_check.h"
 #include "core/calib/rig_bundle.h"
 #include "core/scan/calibration_report.h"
 
@@ -16,6 +17,11 @@ struct CaptureFacts {
 
 // Sets verdict and sentence from the predicted errors and the facts; everything else is filled in.
 void judge(const RigBundleOptions& options, const CaptureFacts& facts, CalibrationReport& report);
+
+// Adds what the points that were held out came out as. Where they are measured worse than a verdict
+// allows, it falls, and the sentence says so.
+void judgeByCheck(const CalibrationCheck& check, const RigBundleOptions& options,
+                  CalibrationReport& report);
 
 // The sentences about motor and faces, from what the report has found.
 std::vector<std::string> remarksOn(const CalibrationReport& report, const CaptureFacts& facts);

@@ -13,6 +13,7 @@ void visitReportFigures(Report& report, const Visit& visit) {
   visit("object_size_mm", report.object_size_mm);
   visit("local_detail_mm", report.local_detail_mm);
   visit("overall_size_mm", report.overall_size_mm);
+  visit("check_mm", report.check_mm);
   visit("rms_px", report.rms_px);
   visit("median_px", report.median_px);
   visit("worst_px", report.worst_px);

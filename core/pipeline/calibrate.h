@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/calib/rig_bundle.h"
+#include "core/calib/target_series.h"
 #include "core/device/camera.h"
 #include "core/device/turntable.h"
 #include "core/pipeline/find_turning.h"
@@ -35,7 +36,8 @@ struct CalibrateOptions {
 struct SightedPicture {
   int picture = 0;  // from 0
   int pictures = 0;
-  FramePtr frame;
+  std::string name;
+  FramePtr frame;  // of a live rig; null for a file that is not kept in memory
   std::optional<TargetView> view;
   std::string reason;  // why there is no view
 };
@@ -58,10 +60,15 @@ struct CalibrationOutcome {
 // Everything that a calibration file holds of the outcome. date: ISO 8601.
 CalibrationRecord recordOf(const CalibrationOutcome& outcome, const std::string& date);
 
-// The target and how it is found in a picture.
+// Finds the target in all pictures of a turn, its points named alike in all (see findTargets).
+using SeriesFinder = std::function<Result<std::vector<Result<TargetView>>>(
+    const std::vector<SeriesPicture>& pictures, const Task& task)>;
+
+// The target and how it is found.
 struct SoughtTarget {
   Target target;
-  TargetFinder find;
+  TargetFinder find;      // in one picture, as a live rig takes them
+  SeriesFinder find_all;  // in a folder of pictures; empty: in each by itself
 };
 
 // From pictures that were taken before, of one size. angles: none, or one a picture [rad].
@@ -74,6 +81,19 @@ struct CalibrationPictures {
 // picture is broken or has another size or no angle.
 Result<CalibrationPictures> openCalibrationPictures(const std::filesystem::path& folder,
                                                     const std::filesystem::path& angles_file);
+
+// What moved the target from picture to picture: by hand it may have been turned in any way.
+enum class TargetHeld { kByTable, kByHand };
+
+// The sightings alone. Fails with the commonest reason when fewer pictures than needed show it.
+struct SightedPictures {
+  std::vector<TargetView> views;
+  std::vector<std::string> skipped;
+};
+Result<SightedPictures> sightPictures(const CalibrationPictures& pictures,
+                                      const SoughtTarget& target, TargetHeld held,
+                                      const CalibrationWatcher& watcher, std::size_t needed,
+                                      const Task& task);
 
 // Looks for the target in every picture and solves the rig from those that show it. Fails with the
 // commonest reason when too few do.
@@ -96,15 +116,5 @@ struct LiveRig {
 Result<CalibrationOutcome> calibrateLive(LiveRig rig, const SoughtTarget& target,
                                          const CalibrateOptions& options,
                                          const CalibrationWatcher& watcher, const Task& task);
-
-// The sightings alone: of a target held by hand, for the camera's intrinsics without a table. Fails
-// with the commonest reason when fewer than three pictures show it.
-struct SightedPictures {
-  std::vector<TargetView> views;
-  std::vector<std::string> skipped;
-};
-Result<SightedPictures> sightPictures(const CalibrationPictures& pictures,
-                                      const SoughtTarget& target, const CalibrationWatcher& watcher,
-                                      const Task& task);
 
 }  // namespace gyre

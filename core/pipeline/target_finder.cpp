@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/calib/find_target.h"
+#include "core/calib/target_series.h"
 
 namespace gyre {
 
@@ -20,6 +21,21 @@ SoughtTarget soughtTarget(const Target& target) {
       options->camera = found->camera;
     }
     return std::move(found->view);
+  };
+  sought.find_all = [target](const std::vector<SeriesPicture>& pictures,
+                             const Task& task) -> Result<std::vector<Result<TargetView>>> {
+    auto found = findTargets(pictures, target, {}, task);
+    if (!found) return found.error();
+    std::vector<Result<TargetView>> views;
+    views.reserve(found->size());
+    for (Result<FoundTarget>& one : *found) {
+      if (one) {
+        views.emplace_back(std::move(one->view));
+      } else {
+        views.emplace_back(one.error());
+      }
+    }
+    return views;
   };
   return sought;
 }

@@ -9,7 +9,7 @@ namespace gyre {
 
 // The target with findTarget() as its finder: each picture by itself for coded targets; for others
 // the pose and camera of the last find help to name the points of the next picture alike. The
-// finder is one series: it is used by one thread.
+// finder is one series: it is used by one thread. Folders are searched by findTargets().
 SoughtTarget soughtTarget(const Target& target);
 
 }  // namespace gyre

@@ -45,6 +45,9 @@ struct CalibrationReport {
   double local_detail_mm = 0.0;  // one standard deviation of its shape
   double overall_size_mm = 0.0;  // one standard deviation of its size, the target's truth included
   bool size_verified = false;    // somebody measured the target
+  // Points of the target that took no part in a second solution, measured with it like an object:
+  // how far off they came out, rms. Zero when that was not done. [mm]
+  double check_mm = 0.0;
 
   double rms_px = 0.0;
   double median_px = 0.0;

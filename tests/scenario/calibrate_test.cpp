@@ -1,5 +1,6 @@
 // gyre calibrate on the simulated rig, on good and bad pictures, and what it says to wrong use.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -11,7 +12,6 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "app/cli/command_line.h"
 #include "app/sim_target.h"
 #include "core/base/units.h"
 #include "core/geometry/turntable_pose.h"
@@ -19,27 +19,16 @@
 #include "core/io/picture_file.h"
 #include "core/sim/renderer.h"
 #include "core/sim/rig_json.h"
+#include "tests/support/command_answer.h"
 #include "tests/support/temp_dir.h"
 
 namespace gyre {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Answer;
+using test::gyre;
 using ::testing::HasSubstr;
-
-struct Answer {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-Answer gyre(const std::vector<std::string>& words) {
-  std::ostringstream out;
-  std::ostringstream err;
-  Console console(out, err, ProgressStyle::kLines);
-  const int code = runCommandLine(words, console, {});
-  return {code, out.str(), err.str()};
-}
 
 // The default rig with a target on its table.
 RigSettings wedgeRig() {
@@ -49,17 +38,29 @@ RigSettings wedgeRig() {
   return rig;
 }
 
-// Twelve pictures of a turn, as any camera could have taken them.
+// Pictures of a turn, as any camera could have taken them.
+std::vector<cv::Mat> turnOf(const RigSettings& rig, int count) {
+  const Renderer renderer(rig, simulatedTarget(rig).value());
+  std::vector<cv::Mat> pictures;
+  pictures.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    pictures.push_back(
+        renderer.render(rig.steps_per_turn * i / count, TableLoad::kObject).image_bgr);
+  }
+  return pictures;
+}
+
 const std::vector<cv::Mat>& turnOfTheWedge() {
+  static const std::vector<cv::Mat> kPictures = turnOf(wedgeRig(), 12);
+  return kPictures;
+}
+
+// The paper's cube carries no codes: it looks the same from four sides.
+const std::vector<cv::Mat>& turnOfTheCube() {
   static const std::vector<cv::Mat> kPictures = [] {
-    const RigSettings rig = wedgeRig();
-    const Renderer renderer(rig, simulatedTarget(rig).value());
-    std::vector<cv::Mat> pictures;
-    for (int i = 0; i < 12; ++i) {
-      pictures.push_back(
-          renderer.render(rig.steps_per_turn * i / 12, TableLoad::kObject).image_bgr);
-    }
-    return pictures;
+    RigSettings rig = wedgeRig();
+    rig.target = "cube";
+    return turnOf(rig, 18);
   }();
   return kPictures;
 }
@@ -68,14 +69,17 @@ class Calibrate : public testing::Test {
  protected:
   std::string at(const std::string& name) const { return (temp_ / name).string(); }
 
-  std::string pictures(const std::function<cv::Mat(const cv::Mat&)>& spoil = {}) const {
-    fs::create_directories(temp_ / "pictures");
-    for (std::size_t i = 0; i < turnOfTheWedge().size(); ++i) {
-      const cv::Mat& clean = turnOfTheWedge()[i];
-      EXPECT_TRUE(writePicture(temp_ / "pictures" / (std::to_string(i) + ".png"),
-                               spoil ? spoil(clean) : clean));
+  std::string folderOf(const std::string& name, const std::vector<cv::Mat>& pictures) const {
+    fs::create_directories(temp_ / name);
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+      EXPECT_TRUE(writePicture(temp_ / name / (std::to_string(i) + ".png"), pictures[i]));
     }
-    return at("pictures");
+    return at(name);
+  }
+  std::string pictures(const std::function<cv::Mat(const cv::Mat&)>& spoil = {}) const {
+    std::vector<cv::Mat> taken = turnOfTheWedge();
+    if (spoil) std::transform(taken.begin(), taken.end(), taken.begin(), spoil);
+    return folderOf("pictures", taken);
   }
 
   Answer live(const RigSettings& rig, std::vector<std::string> more = {}) const {
@@ -132,6 +136,89 @@ TEST_F(Calibrate, VerifiesTheSizeByTheRulers) {
   const Answer answer = gyre(words);
   EXPECT_EQ(answer.code, 0) << answer.err;
   EXPECT_THAT(answer.out, testing::Not(HasSubstr("size not verified")));
+}
+
+TEST_F(Calibrate, CorrectsAMisprintByTheRulers) {
+  RigSettings rig = wedgeRig();
+  rig.print_scale_right = 0.97;
+  rig.print_scale_down = 0.97;
+  std::vector<std::string> words = folderWords(folderOf("misprint", turnOf(rig, 12)));
+  words.insert(words.end(), {"--ruler-right", "97", "--ruler-down", "97"});
+  const Answer answer = gyre(words);
+  ASSERT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("Verdict: good"));
+  const auto record = readCalibrationRecord(temp_ / "calibration.json");
+  ASSERT_TRUE(record);
+  // Uncorrected, the camera would come out 3 % too far away.
+  const double true_mm = trueCalibration(rig).cam_from_table->translation.norm();
+  EXPECT_NEAR(record->calibration.cam_from_table->translation.norm(), true_mm, 0.002 * true_mm);
+}
+
+TEST_F(Calibrate, ChecksByPointsThatWereHeldOut) {
+  const Answer answer = gyre(folderWords(pictures()));
+  EXPECT_THAT(answer.out, HasSubstr("took no part in the solution"));
+  const auto record = readCalibrationRecord(temp_ / "calibration.json");
+  ASSERT_TRUE(record);
+  EXPECT_GT(record->report->check_mm, 0.0);
+  EXPECT_LT(record->report->check_mm, 0.01);
+}
+
+TEST_F(Calibrate, MeasuresTheRigByTheUncodedCube) {
+  const Answer answer = gyre(folderWords(folderOf("cube", turnOfTheCube()), "cube"));
+  EXPECT_EQ(answer.code, 0) << answer.err << answer.out;
+  const auto record = readCalibrationRecord(temp_ / "calibration.json");
+  ASSERT_TRUE(record) << record.error().sentence();
+  EXPECT_EQ(record->report->views, 18U);
+  EXPECT_NEAR(record->calibration.camera.fx, wedgeRig().focal_px, 0.001 * wedgeRig().focal_px);
+  EXPECT_LT(tiltOff(record->calibration, wedgeRig()), radFromDeg(0.05));
+}
+
+TEST_F(Calibrate, MeasuresTheCameraFromAHandHeldCube) {
+  std::vector<std::string> words = folderWords(folderOf("cube", turnOfTheCube()), "cube");
+  words.emplace_back("--hand-held");
+  const Answer answer = gyre(words);
+  EXPECT_EQ(answer.code, 0) << answer.err << answer.out;
+  const auto record = readCalibrationRecord(temp_ / "calibration.json");
+  ASSERT_TRUE(record) << record.error().sentence();
+  EXPECT_FALSE(record->calibration.cam_from_table);
+  EXPECT_NEAR(record->calibration.camera.fx, wedgeRig().focal_px, 0.001 * wedgeRig().focal_px);
+
+  // Its intrinsics admit a ring of markers, which tells the place of the camera.
+  RigSettings rig = wedgeRig();
+  rig.target = "ring";
+  const Answer placed = gyre({"calibrate", folderOf("ring", turnOf(rig, 12)), "--target", "ring",
+                              "--intrinsics", at("calibration.json"), "--out", at("place.json")});
+  EXPECT_EQ(placed.code, 0) << placed.err << placed.out;
+  const auto place = readCalibrationRecord(temp_ / "place.json");
+  ASSERT_TRUE(place) << place.error().sentence();
+  EXPECT_EQ(place->calibration.camera.fx, record->calibration.camera.fx);
+  EXPECT_LT(tiltOff(place->calibration, rig), radFromDeg(0.05));
+}
+
+TEST_F(Calibrate, RefusesARingWithoutKnownIntrinsics) {
+  RigSettings rig = wedgeRig();
+  rig.target = "ring";
+  expectFailure(folderWords(folderOf("ring", turnOf(rig, 12)), "ring"), 1, "flat");
+}
+
+TEST_F(Calibrate, ChecksACalibrationByAnotherTarget) {
+  ASSERT_EQ(gyre(folderWords(folderOf("cube", turnOfTheCube()), "cube")).code, 0);
+  const auto check = [&](const std::string& calibration) {
+    return gyre({"calibrate", pictures(), "--target", "wedge", "--check", calibration});
+  };
+  const Answer good = check(at("calibration.json"));
+  EXPECT_EQ(good.code, 0) << good.err;
+  EXPECT_THAT(good.out, HasSubstr("were measured to 0.00"));
+
+  auto record = readCalibrationRecord(temp_ / "calibration.json");
+  ASSERT_TRUE(record);
+  record->calibration.cam_from_table->translation *= 1.03;
+  record->calibration.camera.cx += 20.0;
+  ASSERT_TRUE(writeCalibrationRecord(temp_ / "off.json", *record));
+  EXPECT_EQ(check(at("off.json")).code, 1);
+  record->calibration.camera.width_px = 640;
+  ASSERT_TRUE(writeCalibrationRecord(temp_ / "small.json", *record));
+  EXPECT_THAT(check(at("small.json")).err, HasSubstr("1280 x 960"));
 }
 
 TEST_F(Calibrate, NamesWhatSpoilsThePictures) {
@@ -217,6 +304,11 @@ TEST_F(Calibrate, AnswersWrongUseWithTwo) {
                 "--camera");
   expectFailure({"calibrate", "p", "--target", "wedge", "--ruler-right", "99", "--out", out}, 2,
                 "Measure both");
+  expectFailure({"calibrate", "p", "--target", "wedge"}, 2, "--check");
+  expectFailure({"calibrate", "p", "--target", "wedge", "--check", "c", "--out", out}, 2,
+                "--check");
+  expectFailure({"calibrate", "p", "--target", "wedge", "--check", "c", "--hand-held"}, 2,
+                "folder");
 }
 
 TEST_F(Calibrate, AnswersBadFilesWithOne) {

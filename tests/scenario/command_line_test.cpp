@@ -14,6 +14,7 @@
 
 #include "core/io/scan_store.h"
 #include "core/sim/rig_json.h"
+#include "tests/support/command_answer.h"
 #include "tests/support/temp_dir.h"
 
 namespace gyre {
@@ -21,20 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-struct Answer {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-Answer gyre(const std::vector<std::string>& words, std::stop_token stop = {}) {
-  std::ostringstream out;
-  std::ostringstream err;
-  Console console(out, err, ProgressStyle::kLines);
-  const int code = runCommandLine(words, console, std::move(stop));
-  return {code, out.str(), err.str()};
-}
+using test::Answer;
+using test::gyre;
 
 class Commands : public testing::Test {
  protected:

@@ -13,13 +13,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/cli/command_line.h"
 #include "core/io/calibration_file.h"
 #include "core/io/picture_file.h"
 #include "core/io/scan_store.h"
 #include "core/pipeline/settling.h"
 #include "core/sim/renderer.h"
 #include "core/sim/turntable_firmware.h"
+#include "tests/support/command_answer.h"
 #include "tests/support/mjpeg_server.h"
 #include "tests/support/pty_port.h"
 #include "tests/support/temp_dir.h"
@@ -27,21 +27,10 @@
 namespace gyre {
 namespace {
 
+using test::Answer;
+using test::gyre;
+
 constexpr int kViews = 12;
-
-struct Answer {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-Answer gyre(const std::vector<std::string>& words) {
-  std::ostringstream out;
-  std::ostringstream err;
-  Console console(out, err, ProgressStyle::kLines);
-  const int code = runCommandLine(words, console, {});
-  return {code, out.str(), err.str()};
-}
 
 // A turntable and a camera that the program can only reach as it reaches real ones.
 class Room {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "core/base/units.h"
 #include "core/calib/object_error.h"

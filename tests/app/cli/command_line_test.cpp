@@ -6,24 +6,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/command_answer.h"
+
 namespace gyre {
 namespace {
 
 using ::testing::HasSubstr;
-
-struct Answer {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-Answer gyre(const std::vector<std::string>& words) {
-  std::ostringstream out;
-  std::ostringstream err;
-  Console console(out, err, ProgressStyle::kLines);
-  const int code = runCommandLine(words, console, {});
-  return {code, out.str(), err.str()};
-}
+using test::Answer;
+using test::gyre;
 
 TEST(CommandLine, TellsItsVersionAndItsWords) {
   EXPECT_THAT(gyre({"--version"}).out, HasSubstr("gyre 0."));
