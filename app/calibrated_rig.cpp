@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/calibrated_rig.h"
 
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "core/base/clock.h"
+#include "core/calib/standard_targets.h"
 #include "core/io/picture_file.h"
 #include "core/pipeline/check_before_scan.h"
+#include "core/pipeline/target_finder.h"
 
 namespace gyre {
+namespace {
+
+// What stays on the platter under objects: markers without faces.
+std::optional<Target> ringOf(const CalibrationRecord& record) {
+  const auto standard = standardTarget(record.target);
+  if (!standard || !standard->target.faces.empty()) return std::nullopt;
+  return standard->target;
+}
+
+}  // namespace
 
 Result<std::vector<std::string>> applyCalibration(const Rig& rig, const CalibrationRecord& record) {
   if (const auto same = sameCameraAsCalibrated(record, rig.camera->info()); !same) {
@@ -22,24 +36,48 @@ Result<std::vector<std::string>> applyCalibration(const Rig& rig, const Calibrat
                       ", axis " + known.axis + "): its steps per turn are taken from its board.");
     return remarks;
   }
-  // What was told as one turn is so many units; the table needs so many others for one.
-  const double turned_over_told =
-      info.units_per_turn / known.units_per_turn * (info.direction == known.direction ? 1.0 : -1.0);
-  if (turned_over_told == 1.0) return remarks;
-  if (const auto done = rig.turntable->correct(turned_over_told); !done) return done.error();
+  if (const auto done = matchTurning(rig, known.units_per_turn, known.direction); !done) {
+    return done.error();
+  }
   return remarks;
 }
 
-Result<std::string> lookBeforeScan(const Rig& rig, const std::filesystem::path& reference,
-                                   const Task& task) {
+Result<void> matchTurning(const Rig& rig, double units_per_turn, int direction) {
+  const TurntableInfo info = rig.turntable->info();
+  // What was told as one turn is so many units; the table needs so many others for one.
+  const double turned_over_told =
+      info.units_per_turn / units_per_turn * (info.direction == direction ? 1.0 : -1.0);
+  if (turned_over_told == 1.0) return {};
+  return rig.turntable->correct(turned_over_told);
+}
+
+Result<std::string> lookBeforeScan(const Rig& rig, const CalibrationRecord& record,
+                                   const std::filesystem::path& reference, const Task& task) {
   std::error_code ignored;
-  if (!std::filesystem::exists(reference, ignored)) return std::string();
-  const auto then = readPicture(reference);
-  if (!then) return then.error();
+  const bool has_reference = std::filesystem::exists(reference, ignored);
+  const std::optional<Target> ring = ringOf(record);
+  if (!ring && !has_reference) return std::string();
   const auto now = rig.camera->grabAfter(steadySeconds(), task);
   if (!now) return now.error();
-  const BeforeScanCheck check = checkByBackground(then->image_bgr, (*now)->image_bgr);
+  BeforeScanCheck check;
+  if (ring) check = checkByTarget(record, soughtTarget(*ring), (*now)->image_bgr);
+  if (!check.judged && has_reference) {
+    const auto then = readPicture(reference);
+    if (!then) return then.error();
+    check = checkByBackground(then->image_bgr, (*now)->image_bgr);
+  }
   return check.judged && !check.holds ? check.sentence : std::string();
+}
+
+Result<std::vector<std::string>> prepareRig(const Rig& rig, const CalibrationRecord& record,
+                                            const std::filesystem::path& reference,
+                                            const Task& task) {
+  auto remarks = applyCalibration(rig, record);
+  if (!remarks) return remarks;
+  auto moved = lookBeforeScan(rig, record, reference, task);
+  if (!moved) return moved.error();
+  if (!moved->empty()) remarks->push_back(std::move(*moved));
+  return remarks;
 }
 
 }  // namespace gyre

@@ -18,9 +18,19 @@ namespace gyre {
 // calibrated. Moves nothing. Gives what the user should know, a sentence each.
 Result<std::vector<std::string>> applyCalibration(const Rig& rig, const CalibrationRecord& record);
 
-// One picture against the one that was taken while the rig was calibrated. Gives a sentence when
-// the camera has moved, and an empty text when it has not, or when nothing can be said.
-Result<std::string> lookBeforeScan(const Rig& rig, const std::filesystem::path& reference,
-                                   const Task& task);
+// The turntable as a scan that was begun on it knows it: the angle at which it stands is then 0.
+Result<void> matchTurning(const Rig& rig, double units_per_turn, int direction);
+
+// One picture: a ring of markers that the rig was calibrated with and that is still on the platter
+// tells of camera and table; without one, the picture that was taken while it was calibrated tells
+// of the camera. Gives a sentence when something has moved, and an empty text when nothing has, or
+// when nothing can be said.
+Result<std::string> lookBeforeScan(const Rig& rig, const CalibrationRecord& record,
+                                   const std::filesystem::path& reference, const Task& task);
+
+// Both, before anything is moved. Gives what the user should know, a sentence each.
+Result<std::vector<std::string>> prepareRig(const Rig& rig, const CalibrationRecord& record,
+                                            const std::filesystem::path& reference,
+                                            const Task& task);
 
 }  // namespace gyre

@@ -2,11 +2,11 @@
 #include "app/calibration_controller.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 #include <vector>
 
-#include <QDateTime>
-
+#include "app/calibration_run.h"
 #include "app/print_target.h"
 #include "core/calib/ruler_scale.h"
 #include "core/calib/standard_targets.h"
@@ -35,6 +35,15 @@ Result<Target> asPrinted(const TargetChoice& choice) {
   auto target = readChosen(choice);
   if (!target || !choice.ruler_right_mm || !choice.ruler_down_mm) return target;
   return scaledByRulers(*target, {*choice.ruler_right_mm, *choice.ruler_down_mm});
+}
+
+Result<void> makeFolderOf(const std::filesystem::path& file) {
+  std::error_code problem;
+  const auto folder = file.parent_path();
+  if (!folder.empty()) std::filesystem::create_directories(folder, problem);
+  if (!problem) return {};
+  return Error{Error::Code::kIo, "The folder \"" + folder.string() + "\" cannot be made.",
+               "Save the calibration where you may write."};
 }
 
 }  // namespace
@@ -206,10 +215,11 @@ void CalibrationController::stop() {
 
 void CalibrationController::save(const std::filesystem::path& file) {
   if (!outcome_) return;
-  const QString date = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
   look_jobs_.start(
-      [outcome = outcome_, file, date = date.toStdString()](const Task&) {
-        return writeCalibrationRecord(file, recordOf(*outcome, date));
+      [outcome = outcome_, file](const Task&) -> Result<void> {
+        if (auto made = makeFolderOf(file); !made) return made;
+        if (auto kept = keepReference(file, *outcome); !kept) return kept;
+        return writeCalibrationRecord(file, recordOf(*outcome, nowUtcText()));
       },
       [this, file](const Result<void>& written) {
         if (written) {

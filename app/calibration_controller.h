@@ -40,6 +40,7 @@ class CalibrationController final : public QObject {
   void lookAt(const gyre::FramePtr& frame);
   void turn();
   void stop();
+  // Writes the result, with the picture beside it by which a bump is told later.
   void save(const std::filesystem::path& file);
 
  Q_SIGNALS:

@@ -75,12 +75,6 @@ void wireWishes(WorkPage& page, CalibrationController& calibrations, ScanControl
                      calibrations.turn();
                    });
   QObject::connect(wizard.turn_page, &TurnPage::stopRequested, &calibrations, &Controller::stop);
-  QObject::connect(wizard.result_page, &ResultPage::keepRequested, &scans,
-                   [&wizard, &calibrations, &scans] {
-                     scans.useMeasured(calibrations.outcome()->rig.calibration,
-                                       calibrations.outcome()->rig.report);
-                     wizard.result_page->showKept({});
-                   });
   QObject::connect(wizard.result_page, &ResultPage::saveRequested, &calibrations,
                    [&calibrations](const QString& path) { calibrations.save(path.toStdString()); });
   QObject::connect(wizard.result_page, &ResultPage::againRequested, &wizard,
@@ -115,7 +109,6 @@ void wireFacts(WorkPage& page, CalibrationController& calibrations) {
   QObject::connect(&calibrations, &Controller::stopped, wizard.turn_page, &TurnPage::showStopped);
   QObject::connect(&calibrations, &Controller::turnFailed, wizard.turn_page,
                    &TurnPage::showFailure);
-  QObject::connect(&calibrations, &Controller::saved, wizard.result_page, &ResultPage::showKept);
   QObject::connect(&calibrations, &Controller::failed, page.banner, &Banner::showError);
   QObject::connect(&calibrations, &Controller::measured, page.scene_view,
                    [&page, &wizard](const CalibrationOutcomePtr& outcome) {

@@ -5,10 +5,11 @@
 #include <atomic>
 #include <utility>
 
+#include "app/calibration_run.h"
 #include "app/pause_gate.h"
 #include "app/scan_outcome.h"
 #include "core/base/address.h"
-#include "core/io/calibration_file.h"
+#include "core/io/calibration_record_file.h"
 #include "core/mesh/mesh_health.h"
 #include "core/sim/rig.h"
 
@@ -64,8 +65,7 @@ void ScanController::devicesOpened(const TurntableInfo& turntable) {
   empty_table_ = nullptr;
   const SimulatedRoom* room = devices_.rig()->room.get();
   if (room != nullptr && room->camera != nullptr) {
-    calibration_ = trueCalibration(room->settings);
-    Q_EMIT calibrationKnown(*calibration_, tr("The simulated rig's own calibration."));
+    know(trueCalibration(room->settings), tr("The simulated rig's own calibration."));
   }
   setPhase(ScanPhase::kReady);
 }
@@ -75,20 +75,27 @@ void ScanController::devicesClosed() {
   setPhase(ScanPhase::kIdle);
 }
 
-void ScanController::useCalibration(const std::filesystem::path& file) {
-  auto read = readCalibration(file);
-  if (!read) {
-    Q_EMIT failed(read.error());
-    return;
-  }
-  calibration_ = std::move(read).value();
-  Q_EMIT calibrationKnown(*calibration_, QString::fromStdString(file.string()));
+void ScanController::know(const Calibration& calibration, const QString& source) {
+  CalibrationRecord record;
+  record.calibration = calibration;
+  know(std::move(record), {}, source);
 }
 
-void ScanController::useMeasured(const Calibration& calibration, const CalibrationReport& report) {
-  calibration_ = calibration;
-  Q_EMIT calibrationKnown(calibration, tr("Measured in this session."));
-  Q_EMIT calibrationJudged(report);
+void ScanController::know(CalibrationRecord record, const std::filesystem::path& reference,
+                          const QString& source) {
+  calibration_ = std::move(record);
+  reference_ = reference;
+  Q_EMIT calibrationKnown(*calibration_, source);
+}
+
+bool ScanController::useCalibration(const std::filesystem::path& file) {
+  auto read = readCalibrationRecord(file);
+  if (!read) {
+    Q_EMIT failed(read.error());
+    return false;
+  }
+  know(std::move(read).value(), referenceFor(file), QString::fromStdString(file.string()));
+  return true;
 }
 
 void ScanController::takeEmptyTable() {
@@ -123,7 +130,7 @@ bool ScanController::readyToScan() {
     return refuse(tr("The table may not be moved yet."),
                   tr("Say first that this device is your turntable (step 1)."));
   }
-  if (!calibration_ || !calibration_->cam_from_table) {
+  if (!calibration_ || !calibration_->calibration.cam_from_table) {
     return refuse(tr("The camera's place at the table is not known."),
                   tr("Open a calibration made with this camera and table (step 2)."));
   }
@@ -151,6 +158,7 @@ ScanPlan ScanController::planFor(ScanBegin begin, const ScanRequest& request) co
   plan.settings.camera = withoutPassword(devices_.cameraWord().toStdString());
   plan.settings.views = request.views;
   plan.calibration = *calibration_;
+  plan.reference = reference_;
   plan.empty_table = empty_table_;
   return plan;
 }
@@ -158,6 +166,11 @@ ScanPlan ScanController::planFor(ScanBegin begin, const ScanRequest& request) co
 // What it sets is called in other threads.
 ScanObserver ScanController::observerOf(const std::shared_ptr<Live>& live) {
   ScanObserver observer;
+  observer.on_remark = [this](const std::string& remark) {
+    QMetaObject::invokeMethod(
+        this, [this, remark] { Q_EMIT noticed(QString::fromStdString(remark), QString()); },
+        Qt::QueuedConnection);
+  };
   observer.on_begin = [this, live](int views_done, int views) {
     live->views_done = views_done;
     live->views_before = views_done;

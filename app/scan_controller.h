@@ -13,8 +13,7 @@
 #include "app/job_runner.h"
 #include "app/latest.h"
 #include "app/scan_session.h"
-#include "core/scan/calibration.h"
-#include "core/scan/calibration_report.h"
+#include "core/scan/calibration_record.h"
 #include "core/scan/mesh.h"
 #include "core/scan/mesh_health.h"
 #include "core/scan/point_cloud.h"
@@ -42,15 +41,14 @@ class ScanController final : public QObject {
 
   DeviceSession& devices() { return devices_; }
   ScanPhase phase() const { return phase_; }
-  const std::optional<Calibration>& calibration() const { return calibration_; }
+  const std::optional<CalibrationRecord>& calibration() const { return calibration_; }
   bool hasEmptyTable() const { return empty_table_ != nullptr; }
   const PointCloudPtr& cloud() const { return cloud_; }
   const MeshPtr& mesh() const { return mesh_; }
   const std::filesystem::path& folder() const { return folder_; }
 
  public Q_SLOTS:
-  void useCalibration(const std::filesystem::path& file);
-  void useMeasured(const gyre::Calibration& calibration, const gyre::CalibrationReport& report);
+  bool useCalibration(const std::filesystem::path& file);  // false: told why not
   void takeEmptyTable();
   void startScan(const gyre::ScanRequest& request);
   void resumeScan();  // captures what the last scan, or an opened one, does not hold yet
@@ -66,8 +64,7 @@ class ScanController final : public QObject {
 
  Q_SIGNALS:
   void phaseChanged(gyre::ScanPhase phase);
-  void calibrationKnown(const gyre::Calibration& calibration, const QString& source);
-  void calibrationJudged(const gyre::CalibrationReport& report);  // follows calibrationKnown()
+  void calibrationKnown(const gyre::CalibrationRecord& record, const QString& source);
   void emptyTableTaken();
   void tracked(const gyre::TrackedFramePtr& frame);
   void cloudGrew(const gyre::PointCloudPtr& cloud);
@@ -85,6 +82,9 @@ class ScanController final : public QObject {
   struct Outcome;  // what a finished job leaves
 
   void setPhase(ScanPhase phase);
+  void know(const Calibration& calibration, const QString& source);
+  void know(CalibrationRecord record, const std::filesystem::path& reference,
+            const QString& source);
   void devicesOpened(const TurntableInfo& turntable);
   void devicesClosed();
   bool refuse(const QString& what, const QString& advice);
@@ -100,7 +100,8 @@ class ScanController final : public QObject {
   void noteIdle();
 
   ScanPhase phase_ = ScanPhase::kIdle;
-  std::optional<Calibration> calibration_;
+  std::optional<CalibrationRecord> calibration_;
+  std::filesystem::path reference_;  // belongs to the calibration; may be missing
   FramePtr empty_table_;
   PointCloudPtr cloud_;
   MeshPtr mesh_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "app/live_feed.h"
 #include "core/base/result.h"
@@ -16,6 +17,8 @@ namespace gyre {
 
 // Who watches a scan: each is called where something has happened, or not set.
 struct ScanObserver {
+  // Before the first move: what the user should know of the rig, a sentence.
+  std::function<void(const std::string& remark)> on_remark;
   // Before the first move: how many views are there already.
   std::function<void(int views_done, int views)> on_begin;
   // In the scan's thread, when a view is safe on the disk. May block: the table waits.

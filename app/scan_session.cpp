@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/calibrated_rig.h"
 #include "app/empty_table.h"
 #include "app/scan_files.h"
 #include "core/base/clock.h"
@@ -21,14 +22,30 @@
 namespace gyre {
 namespace {
 
-Result<ScanStore> storeFor(const Rig& rig, const ScanPlan& plan) {
-  if (plan.begin != ScanBegin::kNew) return ScanStore::open(plan.folder);
+// A scan that goes on turns the table as it was turned before.
+Result<ScanStore> openedStore(const Rig& rig, const ScanPlan& plan) {
+  auto store = ScanStore::open(plan.folder);
+  if (!store) return store;
+  const ScanSettings& settings = store->settings();
+  const auto matched = matchTurning(rig, settings.units_per_turn, settings.direction);
+  if (!matched) return matched.error();
+  return store;
+}
+
+Result<ScanStore> storeFor(const Rig& rig, const ScanPlan& plan, const ScanObserver& observer,
+                           const Task& task) {
+  if (plan.begin != ScanBegin::kNew) return openedStore(rig, plan);
+  const auto remarks = prepareRig(rig, plan.calibration, plan.reference, task);
+  if (!remarks) return remarks.error();
+  if (observer.on_remark) {
+    for (const std::string& remark : *remarks) observer.on_remark(remark);
+  }
   ScanSettings settings = plan.settings;
   const TurntableInfo info = rig.turntable->info();
   settings.units_per_turn = info.units_per_turn;
   settings.direction = info.direction;
   if (rig.room) settings.sim_rig_json = rigToJson(rig.room->settings);
-  return ScanStore::create(plan.folder, settings, plan.calibration);
+  return ScanStore::create(plan.folder, settings, plan.calibration.calibration);
 }
 
 // Where the table stands is not known after a pause of the program: a picture tells.
@@ -73,7 +90,7 @@ Result<FramePtr> pictureOfEmptyTable(const Rig& rig, const Task& task) {
 
 Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
                                          const ScanObserver& observer, const Task& task) {
-  auto store = storeFor(rig, plan);
+  auto store = storeFor(rig, plan, observer, task);
   if (!store) return store.error();
   if (const auto ready = prepareTable(rig, plan, *store, task); !ready) return ready.error();
   auto reconstruction = runScan(*rig.turntable, *rig.camera, *store, observer, task.part(0.0, 0.9));

@@ -11,7 +11,7 @@
 #include "core/base/task.h"
 #include "core/pipeline/reconstruction.h"
 #include "core/pipeline/write_results.h"
-#include "core/scan/calibration.h"
+#include "core/scan/calibration_record.h"
 #include "core/scan/mesh.h"
 #include "core/scan/mesh_health.h"
 #include "core/scan/point_cloud.h"
@@ -29,8 +29,9 @@ struct ScanPlan {
   std::filesystem::path folder;
   ScanBegin begin = ScanBegin::kNew;
   ScanSettings settings;
-  Calibration calibration;
-  FramePtr empty_table;  // null: none was taken
+  CalibrationRecord calibration;
+  std::filesystem::path reference;  // picture by which a bump since is told; may be missing
+  FramePtr empty_table;             // null: none was taken
 };
 
 struct ScanSessionResult {

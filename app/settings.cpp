@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/settings.h"
 
+#include <QCryptographicHash>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
@@ -12,6 +13,17 @@
 namespace gyre {
 namespace {
 constexpr int kMostRecent = 12;
+
+// One word for a turntable with a camera: names of devices hold slashes, addresses hold passwords.
+QString rigKey(const QString& device_id, const QString& camera) {
+  const QByteArray rig =
+      (device_id + '\n' + QString::fromStdString(withoutPassword(camera.toStdString()))).toUtf8();
+  return QString::fromLatin1(
+      QCryptographicHash::hash(rig, QCryptographicHash::Sha256).toHex().first(16));
+}
+
+QString existing(const QString& file) { return QFileInfo::exists(file) ? file : QString(); }
+
 }  // namespace
 
 Settings::Settings() : store_("gyre", "gyre") {}
@@ -56,6 +68,25 @@ bool Settings::knowsTurntable(const QString& device_id) const {
 void Settings::rememberTurntable(const QString& device_id) {
   if (device_id.isEmpty() || knowsTurntable(device_id)) return;
   store_.setValue("turntables", store_.value("turntables").toStringList() << device_id);
+}
+
+QString Settings::calibrationFor(const QString& device_id, const QString& camera) const {
+  return existing(store_.value("calibrations/" + rigKey(device_id, camera)).toString());
+}
+
+void Settings::rememberCalibration(const QString& device_id, const QString& camera,
+                                   const QString& file) {
+  store_.setValue("calibrations/" + rigKey(device_id, camera), file);
+  store_.setValue("calibration", file);
+}
+
+QString Settings::lastCalibration() const {
+  return existing(store_.value("calibration").toString());
+}
+
+QString Settings::keptCalibrationFile(const QString& device_id, const QString& camera) const {
+  const QString home = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+  return QDir(home).filePath("gyre/calibrations/" + rigKey(device_id, camera) + ".json");
 }
 
 ThemeChoice Settings::theme() const {

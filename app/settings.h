@@ -25,6 +25,15 @@ class Settings final {
   bool knowsTurntable(const QString& device_id) const;
   void rememberTurntable(const QString& device_id);
 
+  // The calibration that was kept last for this turntable and camera; empty when there is none, or
+  // when its file is gone.
+  QString calibrationFor(const QString& device_id, const QString& camera) const;
+  void rememberCalibration(const QString& device_id, const QString& camera, const QString& file);
+  // The one that was kept last for any.
+  QString lastCalibration() const;
+  // Where a calibration of this rig is kept; the folder is made by whoever writes it.
+  QString keptCalibrationFile(const QString& device_id, const QString& camera) const;
+
   ThemeChoice theme() const;
   void setTheme(ThemeChoice choice);
 

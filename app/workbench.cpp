@@ -52,6 +52,7 @@ Workbench::Workbench(const RigOptions& rig)
   wireResults();
   wireFacts();
   wireCalibration(*window_.work_page, calibrations_, controller_);
+  wireKeeping();
   listDevices();
   showSteps();
 }
@@ -60,8 +61,10 @@ void Workbench::wireStart() {
   StartPage* page = window_.start_page;
   connect(page, &StartPage::demoRequested, this,
           [this] { runDemo("duck", 72, settings_.newScanFolder(tr("Duck"))); });
-  connect(page, &StartPage::shown, this,
-          [this, page] { page->showRecent(settings_.recentScans()); });
+  connect(page, &StartPage::shown, this, [this, page] {
+    page->showRecent(settings_.recentScans());
+    showLastCalibration();
+  });
   connect(&window_, &MainWindow::newScanRequested, this, &Workbench::newScan);
   connect(&window_, &MainWindow::openRequested, this, &Workbench::open);
   connect(&window_, &MainWindow::themeChosen, this, [this](ThemeChoice choice) {
@@ -119,8 +122,7 @@ void Workbench::wireDevices() {
 
 void Workbench::wireScan() {
   WorkPage* page = window_.work_page;
-  connect(page->calibration_panel, &CalibrationPanel::fileChosen, this,
-          [this](const QString& path) { controller_.useCalibration(pathOf(path)); });
+  connect(page->calibration_panel, &CalibrationPanel::fileChosen, this, &Workbench::useCalibration);
   connect(page->place_panel, &PlacePanel::emptyTableRequested, &controller_,
           &ScanController::takeEmptyTable);
   connect(page->place_panel, &PlacePanel::objectPlaced, this, [this] {
@@ -199,13 +201,11 @@ void Workbench::wireFacts() {
             }
           });
   connect(&controller_, &ScanController::calibrationKnown, this,
-          [this, page](const Calibration& calibration, const QString& source) {
-            page->calibration_panel->showCalibration(calibration, source);
-            page->scene_view->showCalibration(calibration);
+          [this, page](const CalibrationRecord& record, const QString& source) {
+            page->calibration_panel->showCalibration(record, source);
+            page->scene_view->showCalibration(record.calibration);
             showSteps();
           });
-  connect(&controller_, &ScanController::calibrationJudged, page->calibration_panel,
-          &CalibrationPanel::showQuality);
   connect(&controller_, &ScanController::failed, this, [this](const Error& error) {
     window_.work_page->banner->showError(error);
     window_.log_panel->addLine(QString::fromStdString(error.sentence()));
@@ -237,6 +237,8 @@ void Workbench::devicesOpened(const TurntableInfo& turntable, const CameraInfo& 
   panel->showTurntable(turntable);
   panel->showCamera(camera);
   DeviceSession& devices = controller_.devices();
+  const QString kept = settings_.calibrationFor(device_id_, devices.cameraWord());
+  if (!kept.isEmpty()) controller_.useCalibration(pathOf(kept));
   if (settings_.knowsTurntable(device_id_)) devices.confirmTurntable();
   if (devices.mayMove()) {
     panel->allowMoving();
@@ -305,8 +307,9 @@ void Workbench::showSteps() {
                                : controller_.devices().mayMove() ? StepState::kDone
                                                                  : StepState::kAttention;
   if (controller_.calibration()) {
-    states[at(Step::kCalibrate)] =
-        controller_.calibration()->cam_from_table ? StepState::kDone : StepState::kAttention;
+    states[at(Step::kCalibrate)] = controller_.calibration()->calibration.cam_from_table
+                                       ? StepState::kDone
+                                       : StepState::kAttention;
   } else if (open) {
     states[at(Step::kCalibrate)] = StepState::kNow;
   }

@@ -30,11 +30,14 @@ class Workbench final : public QObject {
  private:
   void wireStart();
   void wireDevices();
+  void wireKeeping();
   void wireScan();
   void wireResults();
   void wireFacts();
   void listDevices();
   void devicesOpened(const TurntableInfo& turntable, const CameraInfo& camera);
+  void useCalibration(const QString& file);
+  void showLastCalibration();
   void newScan();
   void startScan();
   void showSteps();
@@ -46,6 +49,7 @@ class Workbench final : public QObject {
   CalibrationController calibrations_;
   JobRunner small_jobs_;  // lists devices, writes thumbnails
   QString device_id_;
+  QString kept_file_;  // of the calibration in use
   QString title_;
   bool placed_ = false;
   bool demo_ = false;  // the demo goes on by itself until its scan has started

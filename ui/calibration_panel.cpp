@@ -6,7 +6,7 @@
 #include <QStackedWidget>
 
 #include "ui/calibration_wizard/calibration_wizard.h"
-#include "ui/calibration_wizard/result_page.h"
+#include "ui/calibration_words.h"
 #include "ui/parts.h"
 
 namespace gyre {
@@ -57,28 +57,21 @@ QWidget* CalibrationPanel::buildOverview() {
 
 bool CalibrationPanel::showsWizard() const { return stack_->currentWidget() == wizard; }
 
-void CalibrationPanel::showCalibration(const Calibration& calibration, const QString& source) {
+void CalibrationPanel::showCalibration(const CalibrationRecord& record, const QString& source) {
   source_->setText(source);
-  const CameraModel& camera = calibration.camera;
+  const CameraModel& camera = record.calibration.camera;
+  const std::optional<Rigid3>& cam_from_table = record.calibration.cam_from_table;
   QString text = tr("Pictures of %1 × %2 px, focal length %3 px")
                      .arg(camera.width_px)
                      .arg(camera.height_px)
                      .arg(camera.fx, 0, 'f', 1);
-  text += calibration.cam_from_table
-              ? tr("\nCamera %1 mm from the middle of the table")
-                    .arg(calibration.cam_from_table->translation.norm(), 0, 'f', 1)
-              : tr("\nThe place of the camera at the table is not known: this calibration cannot "
-                   "be used for a scan.");
+  text += cam_from_table ? tr("\nCamera %1 mm from the middle of the table")
+                               .arg(cam_from_table->translation.norm(), 0, 'f', 1)
+                         : tr("\nThe place of the camera at the table is not known: this "
+                              "calibration cannot be used for a scan.");
   figures_->setText(text);
-  quality_->hide();
-}
-
-void CalibrationPanel::showQuality(const CalibrationReport& report) {
-  quality_->setText(tr("%1: detail ± %2 mm, size ± %3 mm")
-                        .arg(verdictText(report.verdict))
-                        .arg(report.local_detail_mm, 0, 'f', 3)
-                        .arg(report.overall_size_mm, 0, 'f', 3));
-  quality_->show();
+  quality_->setText(calibrationText(record, QDateTime::currentDateTime()));
+  quality_->setVisible(!quality_->text().isEmpty());
 }
 
 void CalibrationPanel::showNone() {

@@ -4,8 +4,7 @@
 
 #include <QWidget>
 
-#include "core/scan/calibration.h"
-#include "core/scan/calibration_report.h"
+#include "core/scan/calibration_record.h"
 
 class QLabel;
 class QPushButton;
@@ -27,8 +26,7 @@ class CalibrationPanel final : public QWidget {
   bool showsWizard() const;
 
  public Q_SLOTS:
-  void showCalibration(const gyre::Calibration& calibration, const QString& source);
-  void showQuality(const gyre::CalibrationReport& report);
+  void showCalibration(const gyre::CalibrationRecord& record, const QString& source);
   void showNone();
   void allowMeasuring();  // turntable and camera are open
   void forbidMeasuring(const QString& why);

@@ -108,6 +108,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   layout->addStretch(0);
   devices_ = makeLabel(QString(), "muted");
   layout->addWidget(devices_);
+  calibration_ = makeLabel(QString(), "muted");
+  calibration_->setAccessibleName(tr("Calibration in use"));
+  layout->addWidget(calibration_);
+  showCalibration(QString());
   layout->addSpacing(16);
 
   connect(demo, &QAbstractButton::clicked, this, &StartPage::demoRequested);
@@ -134,6 +138,12 @@ void StartPage::showRecent(const std::vector<RecentScan>& scans) {
 void StartPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   Q_EMIT shown();
+}
+
+void StartPage::showCalibration(const QString& sentence) {
+  calibration_->setText(sentence.isEmpty()
+                            ? tr("Not calibrated yet: a real rig is calibrated once, in step 2.")
+                            : tr("Calibration: %1").arg(sentence));
 }
 
 void StartPage::showDevices(const QString& sentence) { devices_->setText(sentence); }

@@ -23,6 +23,7 @@ class StartPage final : public QWidget {
  public Q_SLOTS:
   void showRecent(const std::vector<gyre::RecentScan>& scans);
   void showDevices(const QString& sentence);
+  void showCalibration(const QString& sentence);  // the one in use last; empty: none
 
  Q_SIGNALS:
   void demoRequested();
@@ -38,6 +39,7 @@ class StartPage final : public QWidget {
   QListWidget* recent_;
   QLabel* nothing_recent_;
   QLabel* devices_;
+  QLabel* calibration_;
 };
 
 }  // namespace gyre

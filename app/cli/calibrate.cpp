@@ -155,12 +155,10 @@ int fromRig(const Words& words, Console& console, const Task& task) {
   if (!outcome) return console.fail(outcome.error());
   (void)rig->turntable->release();  // that the motor stays on does not spoil the calibration
   tellOutcome(console, *outcome);
-  CalibrationRecord record = recordOf(*outcome, nowUtcText());
-  record.camera = calibratedCamera(rig->camera->info());
   if (const auto kept = keepReference(words.out, *outcome); !kept) {
     return console.fail(kept.error());
   }
-  return endCalibration(console, words.out, record);
+  return endCalibration(console, words.out, recordOf(*outcome, nowUtcText()));
 }
 
 int run(const Words& words, Console& console, const Task& task) {

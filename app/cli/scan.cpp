@@ -68,19 +68,17 @@ Result<Plan> planOf(const Words& words) {
   return plan;
 }
 
-// The rig as its calibration knows it; tells when the camera has moved since.
+// The rig as its calibration knows it; tells when something has moved since.
 Result<void> matchCalibration(const Words& words, const Rig& rig, Plan& plan, Console& console,
                               const Task& task) {
-  const auto remarks = applyCalibration(rig, plan.calibration);
+  const std::filesystem::path reference =
+      words.calibration.empty() ? std::filesystem::path() : referenceFor(words.calibration);
+  const auto remarks = prepareRig(rig, plan.calibration, reference, task);
   if (!remarks) return remarks.error();
   for (const std::string& remark : *remarks) console.warn(remark);
   const TurntableInfo info = rig.turntable->info();
   plan.settings.units_per_turn = info.units_per_turn;
   plan.settings.direction = info.direction;
-  if (words.calibration.empty()) return {};
-  const auto moved = lookBeforeScan(rig, referenceFor(words.calibration), task);
-  if (!moved) return moved.error();
-  if (!moved->empty()) console.warn(*moved);
   return {};
 }
 

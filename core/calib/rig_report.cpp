@@ -162,17 +162,12 @@ void predictErrors(const RigBundleOptions& options, const SolvedRig& solved,
 }
 
 Target foundTarget(const Target& target, const RigScene& scene, const RigState& state) {
-  Target found = target;
-  std::size_t next = 0;
-  const auto corrected = [&](Eigen::Vector3d& position) {
-    position = correctedInTarget(state.at(0, scene.face_of[next]), scene.points[next]);
-    ++next;
-  };
-  for (TargetCorner& corner : found.corners) corrected(corner.position_in_target);
-  for (TargetMarker& marker : found.markers) {
-    for (Eigen::Vector3d& corner : marker.corners_in_target) corrected(corner);
+  std::vector<Eigen::Vector3d> positions;
+  positions.reserve(scene.points.size());
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    positions.push_back(correctedInTarget(state.at(0, scene.face_of[i]), scene.points[i]));
   }
-  return found;
+  return withPoints(target, positions);
 }
 
 }  // namespace
@@ -232,6 +227,9 @@ CalibrationRecord recordOf(const RigCalibration& calibration) {
   record.report = calibration.report;
   record.covariance = NamedCovariance{calibration.parameter_names, calibration.covariance};
   record.table_from_target = calibration.table_from_target;
+  for (const TargetPoint& point : pointsOf(calibration.target)) {
+    record.points_in_target.push_back(point.position_in_target);
+  }
   return record;
 }
 

@@ -125,6 +125,10 @@ std::string calibrationRecordText(const CalibrationRecord& record) {
   if (record.turntable) add("turntable", turntableText(*record.turntable));
   if (record.camera) add("capture", cameraText(*record.camera));
   if (record.table_from_target) add("table_from_target", poseText(*record.table_from_target));
+  if (!record.points_in_target.empty()) {
+    add("points_in_target_mm", listText(record.points_in_target, ", ",
+                                        [](const Eigen::Vector3d& p) { return vectorText(p); }));
+  }
   if (record.report) {
     add("report", reportText(*record.report));
     add("residuals", residualsText(record.report->residuals));

@@ -110,6 +110,17 @@ std::optional<NamedCovariance> covarianceOf(const json& value) {
   return covariance;
 }
 
+std::vector<Eigen::Vector3d> pointsIn(const json& list) {
+  if (!list.is_array()) return {};
+  std::vector<Eigen::Vector3d> points;
+  for (const json& value : list) {
+    const auto numbers = numbersOf(value);
+    if (!numbers || numbers->size() != 3) return {};
+    points.emplace_back((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+  }
+  return points;
+}
+
 CalibrationVerdict verdictOf(const std::string& word) {
   if (word == "good") return CalibrationVerdict::kGood;
   return word == "acceptable" ? CalibrationVerdict::kAcceptable : CalibrationVerdict::kRedo;
@@ -172,6 +183,7 @@ Result<CalibrationRecord> parseCalibrationRecord(std::string_view text, const st
   record.report = reportOf(root);
   record.covariance = covarianceOf(memberOf(root, "covariance"));
   record.table_from_target = poseOf(memberOf(root, "table_from_target"));
+  record.points_in_target = pointsIn(memberOf(root, "points_in_target_mm"));
   record.turntable = turntableOf(memberOf(root, "turntable"));
   record.camera = cameraOf(memberOf(root, "capture"));
   return record;

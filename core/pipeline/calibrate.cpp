@@ -9,14 +9,10 @@
 namespace gyre {
 
 CalibrationRecord recordOf(const CalibrationOutcome& outcome, const std::string& date) {
-  CalibrationRecord record;
-  record.calibration = outcome.rig.calibration;
+  CalibrationRecord record = recordOf(outcome.rig);
   record.date = date;
-  record.target = outcome.rig.target.name;
-  record.report = outcome.rig.report;
-  record.covariance = NamedCovariance{outcome.rig.parameter_names, outcome.rig.covariance};
-  record.table_from_target = outcome.rig.table_from_target;
   record.turntable = outcome.turntable;
+  record.camera = outcome.camera;
   return record;
 }
 

@@ -54,6 +54,7 @@ struct CalibrationOutcome {
   std::vector<std::string> skipped;              // the others: "007.png: reason"
   std::vector<std::string> remarks;              // about the table's turning, a sentence each
   std::optional<CalibratedTurntable> turntable;  // of a live rig
+  std::optional<CalibratedCamera> camera;        // likewise, as it was set
   FramePtr reference;  // of a live rig: the picture taken first, by which a bump is told later
 };
 

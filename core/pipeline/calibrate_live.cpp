@@ -12,6 +12,7 @@
 #include "core/io/angles_file.h"
 #include "core/io/picture_file.h"
 #include "core/pipeline/calibrate.h"
+#include "core/pipeline/check_before_scan.h"
 #include "core/pipeline/sightings.h"
 #include "core/pipeline/solve_and_check.h"
 
@@ -164,6 +165,7 @@ Result<CalibrationOutcome> LiveCalibration::run(const Task& task) {
   outcome->skipped = std::move(sightings->skipped);
   outcome->remarks = std::move(turning->remarks);
   outcome->reference = reference_;
+  outcome->camera = calibratedCamera(rig_.camera.info());
   const TurntableInfo info = rig_.turntable.info();
   outcome->turntable =
       CalibratedTurntable{info.device_id, info.axis, info.units_per_turn, info.direction};

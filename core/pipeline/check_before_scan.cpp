@@ -60,6 +60,9 @@ BeforeScanCheck checkByTarget(const CalibrationRecord& record, const SoughtTarge
   known.calibration = record.calibration;
   known.table_from_target = *record.table_from_target;
   known.target = target.target;
+  if (record.points_in_target.size() == pointsOf(target.target).size()) {
+    known.target = withPoints(target.target, record.points_in_target);
+  }
   const auto place = checkPlace(known, *view);
   if (!place) return check;
   check.judged = true;

@@ -48,6 +48,9 @@ struct CalibrationRecord {
   std::optional<CalibrationReport> report;
   std::optional<NamedCovariance> covariance;
   std::optional<Rigid3> table_from_target;  // where the target stood
+  // Where each of pointsOf(target) turned out to be, with folds, bows and loose markers; mm. Empty
+  // when nobody said.
+  std::vector<Eigen::Vector3d> points_in_target;
   std::optional<CalibratedTurntable> turntable;
   std::optional<CalibratedCamera> camera;
 };

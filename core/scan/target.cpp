@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/check.h"
+
 namespace gyre {
 namespace {
 
@@ -72,6 +74,16 @@ std::vector<TargetPoint> pointsOf(const Target& target) {
     }
   }
   return points;
+}
+
+Target withPoints(Target target, const std::vector<Eigen::Vector3d>& positions_in_target) {
+  GYRE_CHECK(positions_in_target.size() == target.corners.size() + 4 * target.markers.size());
+  auto next = positions_in_target.begin();
+  for (TargetCorner& corner : target.corners) corner.position_in_target = *next++;
+  for (TargetMarker& marker : target.markers) {
+    for (Eigen::Vector3d& corner : marker.corners_in_target) corner = *next++;
+  }
+  return target;
 }
 
 }  // namespace gyre

@@ -65,4 +65,7 @@ struct TargetPoint {
 // marker. A marker belongs to the face in whose plane it lies.
 std::vector<TargetPoint> pointsOf(const Target& target);
 
+// The same target with its points elsewhere: one position a point, in that order. [mm]
+Target withPoints(Target target, const std::vector<Eigen::Vector3d>& positions_in_target);
+
 }  // namespace gyre

@@ -41,6 +41,7 @@ class CalibrationWindow : public testing::Test {
   void open(const RigOptions& rig, const QString& turntable) {
     ASSERT_TRUE(folder_.isValid());
     qputenv("XDG_CONFIG_HOME", folder_.filePath("config").toUtf8());
+    qputenv("XDG_DATA_HOME", folder_.filePath("data").toUtf8());
     bench_ = std::make_unique<Workbench>(rig);
     bench_->window().show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&bench_->window()));
@@ -119,8 +120,10 @@ TEST_F(CalibrationWindow, MeasuresTheRigAndKeepsTheResult) {
   EXPECT_NEAR(rig.calibration.camera.fx / truth.camera.fx, 1.0, 0.002);
 
   press("Use this calibration");
-  ASSERT_TRUE(bench_->controller().calibration().has_value());
-  EXPECT_EQ(bench_->controller().calibration()->camera.fx, rig.calibration.camera.fx);
+  const double fx = rig.calibration.camera.fx;
+  ASSERT_TRUE(
+      waitFor([&] { return bench_->controller().calibration()->calibration.camera.fx == fx; }));
+  EXPECT_TRUE(bench_->controller().calibration()->camera.has_value());
 
   QSignalSpy saved(&bench_->calibrations(), &CalibrationController::saved);
   const QString file = folder_.filePath("calibration.json");

@@ -61,5 +61,22 @@ TEST_F(SettingsTest, KeepNoPassword) {
   EXPECT_EQ(Settings().theme(), ThemeChoice::kDark);
 }
 
+TEST_F(SettingsTest, RememberTheCalibrationOfEachRig) {
+  const QString file = folder_.filePath("calibration.json");
+  EXPECT_EQ(Settings().calibrationFor("usb-1", "0"), QString());
+  EXPECT_EQ(Settings().lastCalibration(), QString());
+  QFile made(file);
+  ASSERT_TRUE(made.open(QIODevice::WriteOnly));
+  Settings().rememberCalibration("usb-1", "http://me:secret@host/video", file);
+  EXPECT_EQ(Settings().calibrationFor("usb-1", "http://me:other@host/video"), file);
+  EXPECT_EQ(Settings().calibrationFor("usb-2", "http://me:secret@host/video"), QString());
+  EXPECT_EQ(Settings().lastCalibration(), file);
+  EXPECT_FALSE(Settings().keptCalibrationFile("usb-1", "http://me:secret@host").contains("secret"));
+  EXPECT_NE(Settings().keptCalibrationFile("usb-1", "0"),
+            Settings().keptCalibrationFile("usb-2", "0"));
+  made.remove();  // a file that is gone is no calibration
+  EXPECT_EQ(Settings().lastCalibration(), QString());
+}
+
 }  // namespace
 }  // namespace gyre

@@ -111,6 +111,7 @@ class WorkbenchTest : public testing::Test {
   void SetUp() override {
     ASSERT_TRUE(folder_.isValid());
     qputenv("XDG_CONFIG_HOME", folder_.filePath("config").toUtf8());
+    qputenv("XDG_DATA_HOME", folder_.filePath("data").toUtf8());
     bench_ = std::make_unique<Workbench>(smallRig());
     bench_->window().show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&bench_->window()));

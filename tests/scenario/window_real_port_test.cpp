@@ -66,11 +66,15 @@ class WindowRealPort : public testing::Test {
  protected:
   void SetUp() override {
     qputenv("XDG_CONFIG_HOME", folder_.filePath("config").toUtf8());
+    startProgram();
+  }
+  void TearDown() override { endProgram(); }
+  void startProgram() {
     bench_ = std::make_unique<Workbench>(RigOptions{});
     bench_->window().show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&bench_->window()));
   }
-  void TearDown() override {
+  void endProgram() {
     QSignalSpy quiet(&controller(), &ScanController::quiet);
     controller().shutDown();
     EXPECT_TRUE(quiet.count() > 0 || quiet.wait(20000));
@@ -97,10 +101,13 @@ class WindowRealPort : public testing::Test {
     press(page().device_panel, "Connect");
     ASSERT_TRUE(waitForPhase(ScanPhase::kReady));
   }
-  void startScan() {
+  void openCalibration() {
     const std::filesystem::path calibration = folder_.filePath("calibration.json").toStdString();
     ASSERT_TRUE(writeCalibration(calibration, trueCalibration(desk_.renderer().rig())));
     Q_EMIT page().calibration_panel->fileChosen(QString::fromStdString(calibration.string()));
+  }
+  void startScan() {
+    openCalibration();
     press(page().device_panel, "Yes, it may turn");
     press(page().place_panel, "Take the picture");
     ASSERT_TRUE(QTest::qWaitFor([&] { return controller().hasEmptyTable(); }, kPatience_ms));
@@ -135,6 +142,17 @@ TEST_F(WindowRealPort, CapturesEveryView) {
   const auto store = ScanStore::open(folder_.filePath("scan").toStdString());
   ASSERT_TRUE(store.ok()) << store.error().sentence();
   EXPECT_TRUE(store->complete());
+}
+
+TEST_F(WindowRealPort, UsesTheCalibrationAgainWhenTheSameRigIsConnected) {
+  connectDevices();
+  EXPECT_FALSE(controller().calibration().has_value());
+  openCalibration();
+  endProgram();
+  startProgram();
+  connectDevices();
+  ASSERT_TRUE(controller().calibration().has_value());
+  EXPECT_EQ(controller().calibration()->calibration.camera.fx, desk_.renderer().rig().focal_px);
 }
 
 TEST_F(WindowRealPort, KeepsTheViewsAndSaysSoWhenTheCableIsPulled) {

@@ -4,21 +4,10 @@
 #include <QFileDialog>
 #include <QVBoxLayout>
 
+#include "ui/calibration_words.h"
 #include "ui/parts.h"
 
 namespace gyre {
-
-QString verdictText(CalibrationVerdict verdict) {
-  switch (verdict) {
-    case CalibrationVerdict::kGood:
-      return ResultPage::tr("✓ Good");
-    case CalibrationVerdict::kAcceptable:
-      return ResultPage::tr("△ Acceptable");
-    case CalibrationVerdict::kRedo:
-      return ResultPage::tr("✗ Do it again");
-  }
-  return {};
-}
 
 ResultPage::ResultPage()
     : WizardPage(tr("The result"), "result",

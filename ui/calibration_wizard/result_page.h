@@ -10,9 +10,6 @@ class QPushButton;
 
 namespace gyre {
 
-// "Good", "Acceptable" or "Do it again", with a sign of another shape each.
-QString verdictText(CalibrationVerdict verdict);
-
 class ResultPage final : public WizardPage {
   Q_OBJECT
 

@@ -31,6 +31,7 @@ CalibrationRecord fullRecord() {
   record.target = "wedge \"A4\" ö";
   record.table_from_target =
       Rigid3{Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix(), {0.1, 0.2, 0.3}};
+  record.points_in_target = {{1.0 / 3.0, 2.0, 3.0}, {-4.0, 0.1 + 0.2, 0.0}};
   record.turntable = CalibratedTurntable{"usb-Arduino_1", "X", 360.0 / 7.0, -1};
   record.camera = CalibratedCamera{"/dev/v4l/by-id/cam", "1920x1080@MJPG", {{"focus", 0.1 + 0.2}}};
   record.covariance = NamedCovariance{{"focal_px", "k1"}, Eigen::MatrixXd::Random(2, 2) / 3.0};
@@ -40,6 +41,7 @@ CalibrationRecord fullRecord() {
   report.remarks = {"one", "two \\ three"};
   report.local_detail_mm = 0.1 / 3.0;
   report.size_verified = true;
+  report.check_mm = 0.004;
   report.views = 24;
   report.sightings = 4321;
   report.direction = -1;
@@ -65,6 +67,7 @@ TEST(CalibrationRecord, KeepsEveryBit) {
   EXPECT_EQ(back->turntable, record.turntable);
   EXPECT_EQ(back->camera, record.camera);
   EXPECT_EQ(back->table_from_target->rotation, record.table_from_target->rotation);
+  EXPECT_EQ(back->points_in_target, record.points_in_target);
   EXPECT_EQ(back->covariance->matrix, record.covariance->matrix);
   EXPECT_EQ(back->covariance->names, record.covariance->names);
   const CalibrationReport& report = *back->report;

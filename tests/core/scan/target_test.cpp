@@ -48,5 +48,19 @@ TEST(PointsOfTarget, PassesOverFacesThatNameUnknownCornersOrSpanNoPlane) {
 
 TEST(PointsOfTarget, IsEmptyForATargetWithNothingOnIt) { EXPECT_TRUE(pointsOf({}).empty()); }
 
+TEST(WithPoints, MovesEachPointInItsOrder) {
+  Target target;
+  target.corners = {{7, {1.0, 2.0, 0.0}}};
+  target.markers.emplace_back();
+  std::vector<Eigen::Vector3d> moved;
+  for (int i = 0; i < 5; ++i) moved.emplace_back(i, 2 * i, 3 * i);
+  const auto points = pointsOf(withPoints(target, moved));
+  ASSERT_EQ(points.size(), moved.size());
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    EXPECT_EQ(points[i].position_in_target, moved[i]);
+  }
+  EXPECT_EQ(points[0].corner_id, 7);
+}
+
 }  // namespace
 }  // namespace gyre
