@@ -8,9 +8,11 @@
 
 #include "app/calibration_run.h"
 #include "app/print_target.h"
+#include "core/calib/from_clicks.h"
 #include "core/calib/ruler_scale.h"
 #include "core/calib/standard_targets.h"
 #include "core/calib/target_preview.h"
+#include "core/calib/target_sketch.h"
 #include "core/io/calibration_record_file.h"
 #include "core/io/target_file.h"
 #include "core/pipeline/check_before_scan.h"
@@ -20,8 +22,6 @@
 
 namespace gyre {
 namespace {
-
-constexpr double kCaliperSigma_mm = 0.05;  // what a household caliper and a steady hand come to
 
 Result<Target> readChosen(const TargetChoice& choice) {
   const std::string word = choice.word.toStdString();
@@ -51,6 +51,8 @@ Result<void> makeFolderOf(const std::filesystem::path& file) {
 struct CalibrationController::Chosen {
   TargetChoice choice;
   Target target;
+  TargetSketch sketch;
+  CalibrateOptions options;
 };
 
 CalibrationController::CalibrationController(DeviceSession& devices, QObject* parent)
@@ -70,21 +72,85 @@ void CalibrationController::offerTargets() {
 void CalibrationController::chooseTarget(const TargetChoice& choice) {
   auto chosen = std::make_shared<Chosen>();
   chosen->choice = choice;
+  const std::optional<CameraModel> lens = choice.keep_lens ? lens_ : std::nullopt;
+  cancelHand();
   look_jobs_.start(
-      [chosen](const Task&) -> Result<void> {
+      [chosen, lens](const Task&) -> Result<void> {
         auto target = asPrinted(chosen->choice);
         if (!target) return target.error();
+        const bool measured = chosen->choice.ruler_right_mm && chosen->choice.ruler_down_mm;
+        auto options = optionsFor(*target, measured, lens);
+        if (!options) return options.error();
         chosen->target = std::move(target).value();
+        chosen->options = std::move(options).value();
+        chosen->sketch = sketchOf(chosen->target);
         return {};
       },
-      [this, chosen](const Result<void>& outcome) {
+      [this, chosen, lens](const Result<void>& outcome) {
+        shown_ = {};
+        shown_.camera = lens;
         if (outcome) {
           chosen_ = chosen;
-          Q_EMIT targetReady();
+          Q_EMIT targetReady(chosen->sketch);
         } else {
           chosen_.reset();
           Q_EMIT targetRefused(outcome.error());
         }
+      });
+}
+
+void CalibrationController::knowLens(const CameraModel& lens) { lens_ = lens; }
+
+void CalibrationController::beginHand() {
+  if (!chosen_ || chosen_->sketch.to_click.empty() || turning_) return;
+  picks_.emplace();
+  Q_EMIT picksChanged({});
+  Q_EMIT cornerAsked(0);
+}
+
+void CalibrationController::cancelHand() {
+  if (!picks_) return;
+  picks_.reset();
+  Q_EMIT cornerAsked({});
+}
+
+void CalibrationController::pick(const Eigen::Vector2d& pixel) {
+  if (!picks_ || !newest_) return;
+  picks_->push_back(pixel);
+  Q_EMIT picksChanged(*picks_);
+  if (picks_->size() < chosen_->sketch.to_click.size()) {
+    Q_EMIT cornerAsked(static_cast<int>(picks_->size()));
+  } else {
+    useClicks();
+  }
+}
+
+void CalibrationController::useClicks() {
+  std::vector<CornerClick> clicks;
+  for (std::size_t i = 0; i < picks_->size(); ++i) {
+    clicks.push_back({chosen_->sketch.to_click[i], (*picks_)[i]});
+  }
+  cancelHand();
+  auto found = std::make_shared<FoundTarget>();
+  look_jobs_.start(
+      [found, clicks, frame = newest_, chosen = chosen_,
+       lens = shown_.camera](const Task&) -> Result<void> {
+        ClickOptions options;
+        options.camera = lens;
+        auto shown = targetFromClicks(frame->image_bgr, chosen->target, clicks, options);
+        if (!shown) return shown.error();
+        *found = std::move(shown).value();
+        return {};
+      },
+      [this, found](const Result<void>& outcome) {
+        if (!outcome) {
+          TargetSight sight;
+          sight.sentence = outcome.error().sentence();
+          Q_EMIT sightSeen(sight);
+          return;
+        }
+        shown_.camera = found->camera;
+        shown_.expected_cam_from_target = found->cam_from_target;
       });
 }
 
@@ -109,6 +175,7 @@ void CalibrationController::print(const QString& word, const QString& page, cons
 }
 
 void CalibrationController::watch(WizardStep step) {
+  if (step != WizardStep::kPlace) cancelHand();
   watched_ = step;
   if (step == WizardStep::kFocus) sharpest_ = 0.0;
   // In a simulated room nobody else has hands to put something on the table.
@@ -120,7 +187,8 @@ void CalibrationController::watch(WizardStep step) {
 void CalibrationController::stopWatching() { watched_.reset(); }
 
 void CalibrationController::lookAt(const FramePtr& frame) {
-  if (!watched_ || turning_ || look_jobs_.busy()) return;
+  newest_ = frame;
+  if (!watched_ || turning_ || picks_ || look_jobs_.busy()) return;
   if (*watched_ == WizardStep::kFocus) lookAtFocus(frame);
   if (*watched_ == WizardStep::kPlace && chosen_) lookForTarget(frame);
 }
@@ -152,12 +220,12 @@ void CalibrationController::lookAtFocus(const FramePtr& frame) {
 void CalibrationController::lookForTarget(const FramePtr& frame) {
   auto sight = std::make_shared<TargetSight>();
   look_jobs_.start(
-      [sight, frame, chosen = chosen_](const Task& task) -> Result<void> {
-        *sight = previewTarget(frame->image_bgr, chosen->target, {}, task);
+      [sight, frame, chosen = chosen_, shown = shown_](const Task& task) -> Result<void> {
+        *sight = previewTarget(frame->image_bgr, chosen->target, shown, task);
         return {};
       },
       [this, sight](const Result<void>& outcome) {
-        if (outcome && watched_ == WizardStep::kPlace) Q_EMIT sightSeen(*sight);
+        if (outcome && watched_ == WizardStep::kPlace && !picks_) Q_EMIT sightSeen(*sight);
       });
 }
 
@@ -170,10 +238,7 @@ void CalibrationController::turn() {
   }
   turning_ = true;
   auto outcome = std::make_shared<CalibrationOutcome>();
-  CalibrateOptions options;
-  if (chosen_->choice.ruler_right_mm && chosen_->choice.ruler_down_mm) {
-    options.bundle.caliper_sigma_mm = kCaliperSigma_mm;
-  }
+  cancelHand();
   CalibrationWatcher watcher;
   watcher.on_picture = [this, chosen = chosen_](const SightedPicture& picture) {
     TargetSight sight;
@@ -188,10 +253,11 @@ void CalibrationController::turn() {
         Qt::QueuedConnection);
   };
   devices_.runAlone(
-      [rig = devices_.rig(), chosen = chosen_, options, watcher,
+      [rig = devices_.rig(), chosen = chosen_, shown = shown_, watcher,
        outcome](const Task& task) -> Result<void> {
-        auto calibrated = calibrateLive({*rig->turntable, *rig->camera},
-                                        soughtTarget(chosen->target), options, watcher, task);
+        auto calibrated =
+            calibrateLive({*rig->turntable, *rig->camera}, soughtTarget(chosen->target, shown),
+                          chosen->options, watcher, task);
         if (!calibrated) return calibrated.error();
         *outcome = std::move(calibrated).value();
         return {};

@@ -5,13 +5,16 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QObject>
 
 #include "app/device_session.h"
 #include "app/job_runner.h"
+#include "core/calib/find_target.h"
 #include "core/pipeline/calibrate.h"
 #include "core/scan/target_sight.h"
+#include "core/scan/target_sketch.h"
 #include "ui/calibration_facts.h"
 #include "ui/calibration_wizard/calibration_wizard.h"
 
@@ -38,6 +41,12 @@ class CalibrationController final : public QObject {
   void watch(gyre::WizardStep step);
   void stopWatching();
   void lookAt(const gyre::FramePtr& frame);
+  // The lens that may be kept when only the camera's place is measured.
+  void knowLens(const gyre::CameraModel& lens);
+  // Six corners are asked for, one after another, and shown by clicks in the live picture.
+  void beginHand();
+  void cancelHand();
+  void pick(const Eigen::Vector2d& pixel);
   void turn();
   void stop();
   // Writes the result, with the picture beside it by which a bump is told later.
@@ -45,11 +54,13 @@ class CalibrationController final : public QObject {
 
  Q_SIGNALS:
   void targetsOffered(const std::vector<gyre::TargetOffer>& offers);
-  void targetReady();
+  void targetReady(const gyre::TargetSketch& sketch);
   void targetRefused(const gyre::Error& why);
   void printed(const QString& file);
   void focusSeen(const gyre::FocusFacts& facts);
   void sightSeen(const gyre::TargetSight& sight);
+  void cornerAsked(std::optional<int> corner);  // of the sketch's; nothing when no longer
+  void picksChanged(const std::vector<Eigen::Vector2d>& pixels);
   void pictureTaken(const gyre::FramePtr& frame, const gyre::TargetSight& sight);
   void progressed(double fraction, const QString& stage);
   void stopped();
@@ -63,10 +74,15 @@ class CalibrationController final : public QObject {
 
   void lookAtFocus(const FramePtr& frame);
   void lookForTarget(const FramePtr& frame);
+  void useClicks();
 
   DeviceSession& devices_;
   std::optional<WizardStep> watched_;
   std::shared_ptr<const Chosen> chosen_;
+  std::optional<CameraModel> lens_;
+  FindTargetOptions shown_;  // where a person has shown the target, and through what lens
+  std::optional<std::vector<Eigen::Vector2d>> picks_;  // while corners are asked for
+  FramePtr newest_;
   CalibrationOutcomePtr outcome_;
   double sharpest_ = 0.0;
   bool turning_ = false;

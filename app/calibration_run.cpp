@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/calibration_run.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <ctime>
 #include <utility>
 
@@ -56,23 +58,50 @@ TargetShape shapeOf(const Target& target) {
   return target.page_axes.empty() ? TargetShape::kExact : TargetShape::kFreeFaces;
 }
 
+bool liesFlat(const Target& target) {
+  constexpr double kFlat_mm = 1.0;
+  const auto points = pointsOf(target);
+  return std::all_of(points.begin(), points.end(), [](const TargetPoint& point) {
+    return std::abs(point.position_in_target.z()) < kFlat_mm;
+  });
+}
+
 }  // namespace
+
+Result<CalibrateOptions> optionsFor(const Target& target, bool rulers_measured,
+                                    const std::optional<CameraModel>& lens) {
+  if (!lens && liesFlat(target)) {
+    return Error{Error::Code::kInvalidInput,
+                 "The target \"" + target.name +
+                     "\" lies flat: turned about its own normal it cannot show the lens.",
+                 "Use the wedge or a cube; or, when only the camera was moved, keep the lens of a "
+                 "calibration (--intrinsics FILE)."};
+  }
+  CalibrateOptions options;
+  options.bundle.shape = shapeOf(target);
+  options.bundle.fixed_camera = lens;
+  if (rulers_measured) options.bundle.caliper_sigma_mm = kCaliperSigma_mm;
+  return options;
+}
 
 Result<CalibrationSetup> calibrationSetup(const CalibrationWords& words) {
   auto target = targetAtSize(words);
   if (!target) return target.error();
-  CalibrationSetup setup;
-  RigBundleOptions& bundle = setup.options.bundle;
-  bundle.shape = shapeOf(*target);
-  bundle.object_size_mm = words.object_size_mm;
-  bundle.object_middle_in_table = {0.0, 0.0, 0.5 * words.object_size_mm};
-  if (words.ruler_right_mm) bundle.caliper_sigma_mm = kCaliperSigma_mm;
+  std::optional<CameraModel> lens;
   if (!words.intrinsics.empty()) {
     const auto known = readCalibration(words.intrinsics);
     if (!known) return known.error();
-    bundle.fixed_camera = known->camera;
+    lens = known->camera;
   }
-  setup.target = soughtTarget(*target);
+  auto options = optionsFor(*target, words.ruler_right_mm.has_value(), lens);
+  if (!options) return options.error();
+  CalibrationSetup setup;
+  setup.options = std::move(*options);
+  setup.options.bundle.object_size_mm = words.object_size_mm;
+  setup.options.bundle.object_middle_in_table = {0.0, 0.0, 0.5 * words.object_size_mm};
+  FindTargetOptions start;
+  start.camera = lens;
+  setup.target = soughtTarget(*target, start);
   return setup;
 }
 

@@ -30,6 +30,11 @@ struct CalibrationSetup {
   CalibrateOptions options;
 };
 
+// How a target is solved: as a fold-up, an exact body or loose markers, with what is known of its
+// size and of the camera. Refuses a target that lies flat when the lens is not known.
+Result<CalibrateOptions> optionsFor(const Target& target, bool rulers_measured,
+                                    const std::optional<CameraModel>& lens);
+
 // Reads the files that the words name. Fails with a sentence on anything that is wrong with them.
 Result<CalibrationSetup> calibrationSetup(const CalibrationWords& words);
 

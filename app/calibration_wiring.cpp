@@ -69,6 +69,16 @@ void wireWishes(WorkPage& page, CalibrationController& calibrations, ScanControl
                    &Controller::chooseTarget);
   QObject::connect(wizard.target_page, &TargetPage::printRequested, &calibrations,
                    &Controller::print);
+  QObject::connect(wizard.place_page, &PlaceTargetPage::handRequested, &calibrations,
+                   &Controller::beginHand);
+  QObject::connect(wizard.place_page, &PlaceTargetPage::handCancelled, &calibrations,
+                   &Controller::cancelHand);
+  QObject::connect(page.camera_view, &CameraView::picked, &calibrations, &Controller::pick);
+  QObject::connect(&scans, &ScanController::calibrationKnown, &calibrations,
+                   [&calibrations, &wizard](const CalibrationRecord& record) {
+                     calibrations.knowLens(record.calibration.camera);
+                     wizard.target_page->allowKeepingLens();
+                   });
   QObject::connect(wizard.turn_page, &TurnPage::startRequested, &calibrations,
                    [&wizard, &calibrations] {
                      wizard.turn_page->showRunning(0.0, TurnPage::tr("Beginning"));
@@ -89,7 +99,21 @@ void wireFacts(WorkPage& page, CalibrationController& calibrations) {
   QObject::connect(&calibrations, &Controller::targetReady, wizard.target_page,
                    &TargetPage::showReady);
   QObject::connect(&calibrations, &Controller::targetReady, wizard.place_page,
-                   &PlaceTargetPage::reset);
+                   [&wizard](const TargetSketch& sketch) {
+                     wizard.place_page->reset();
+                     wizard.place_page->showSketch(sketch);
+                   });
+  QObject::connect(&calibrations, &Controller::cornerAsked, wizard.place_page,
+                   &PlaceTargetPage::showAsked);
+  QObject::connect(
+      &calibrations, &Controller::cornerAsked, page.camera_view,
+      [&page](std::optional<int> corner) { page.camera_view->setPicking(corner.has_value()); });
+  QObject::connect(&calibrations, &Controller::picksChanged, page.camera_view,
+                   [&page](const std::vector<Eigen::Vector2d>& pixels) {
+                     TargetSight picks;
+                     for (const auto& pixel : pixels) picks.found_px.push_back(pixel.cast<float>());
+                     page.camera_view->setOverlay(foundMarks(picks));
+                   });
   QObject::connect(&calibrations, &Controller::targetRefused, wizard.target_page,
                    &TargetPage::showProblem);
   QObject::connect(&calibrations, &Controller::printed, wizard.target_page,

@@ -28,6 +28,7 @@ struct TargetChoice {
   QString word;  // built-in name, or the path of a TARGET.json
   std::optional<double> ruler_right_mm;
   std::optional<double> ruler_down_mm;
+  bool keep_lens = false;  // only the camera's place is measured; its lens is known
 
   bool operator==(const TargetChoice&) const = default;
 };

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include <QMouseEvent>
 #include <QPainter>
 
 namespace gyre {
@@ -165,5 +166,25 @@ void CameraView::paintEvent(QPaintEvent*) {
 }
 
 void CameraView::resizeEvent(QResizeEvent*) { rebuild(); }
+
+void CameraView::setPicking(bool picking) {
+  picking_ = picking;
+  if (picking) {
+    setCursor(Qt::CrossCursor);
+  } else {
+    unsetCursor();
+  }
+}
+
+void CameraView::mousePressEvent(QMouseEvent* event) {
+  const QRectF area = pictureArea();
+  if (!picking_ || !area.contains(event->position())) {
+    QWidget::mousePressEvent(event);
+    return;
+  }
+  const double picture_per_widget = frame_->image_bgr.cols / area.width();
+  const QPointF at = (event->position() - area.topLeft()) * picture_per_widget;
+  Q_EMIT picked({at.x() - 0.5, at.y() - 0.5});
+}
 
 }  // namespace gyre

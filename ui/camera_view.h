@@ -38,10 +38,16 @@ class CameraView final : public QWidget {
   // Laid over this and all coming pictures until other ones are given.
   void setOverlay(std::vector<gyre::PictureMark> overlay);
   void clear(const QString& why);  // shows the words in place of a picture
+  // While a point of the picture is asked for, the pointer is a cross and clicks are told.
+  void setPicking(bool picking);
+
+ Q_SIGNALS:
+  void picked(const Eigen::Vector2d& pixel);  // raw picture coordinates
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
 
  private:
   QRectF pictureArea() const;
@@ -53,6 +59,7 @@ class CameraView final : public QWidget {
   TrackedFramePtr tracked_;
   std::vector<PictureMark> overlay_;
   QString words_;
+  bool picking_ = false;
   QPixmap drawn_;  // picture and marks in device pixels of the picture's area
 };
 

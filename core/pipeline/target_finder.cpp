@@ -9,10 +9,10 @@
 
 namespace gyre {
 
-SoughtTarget soughtTarget(const Target& target) {
+SoughtTarget soughtTarget(const Target& target, const FindTargetOptions& start) {
   SoughtTarget sought;
   sought.target = target;
-  const auto options = std::make_shared<FindTargetOptions>();
+  const auto options = std::make_shared<FindTargetOptions>(start);
   sought.find = [target, options](const cv::Mat& image_bgr) -> Result<TargetView> {
     auto found = findTarget(image_bgr, target, *options);
     if (!found) return found.error();
@@ -22,9 +22,9 @@ SoughtTarget soughtTarget(const Target& target) {
     }
     return std::move(found->view);
   };
-  sought.find_all = [target](const std::vector<SeriesPicture>& pictures,
-                             const Task& task) -> Result<std::vector<Result<TargetView>>> {
-    auto found = findTargets(pictures, target, {}, task);
+  sought.find_all = [target, start](const std::vector<SeriesPicture>& pictures,
+                                    const Task& task) -> Result<std::vector<Result<TargetView>>> {
+    auto found = findTargets(pictures, target, start, task);
     if (!found) return found.error();
     std::vector<Result<TargetView>> views;
     views.reserve(found->size());

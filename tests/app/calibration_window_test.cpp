@@ -3,8 +3,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
+#include <Eigen/Geometry>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -13,6 +17,10 @@
 #include <QTest>
 
 #include "app/workbench.h"
+#include "core/base/units.h"
+#include "core/calib/standard_targets.h"
+#include "core/calib/target_sketch.h"
+#include "core/geometry/turntable_pose.h"
 #include "core/io/calibration_record_file.h"
 #include "core/sim/rig.h"
 #include "tests/support/qt_application.h"
@@ -22,6 +30,7 @@
 #include "ui/calibration_wizard/result_page.h"
 #include "ui/calibration_wizard/target_page.h"
 #include "ui/calibration_wizard/turn_page.h"
+#include "ui/camera_view.h"
 #include "ui/device_panel.h"
 #include "ui/work_page.h"
 
@@ -79,17 +88,31 @@ class CalibrationWindow : public testing::Test {
     found->click();
   }
   bool mayGoOn() { return button("Next") != nullptr && button("Next")->isEnabled(); }
-  // The wedge is chosen and the page on which it is put in place is shown.
-  void chooseWedge() {
-    auto* offers = wizard().target_page->findChildren<QComboBox*>().front();
-    const int wedge = offers->findData("wedge");
-    ASSERT_GE(wedge, 0);
-    QSignalSpy ready(wizard().target_page, &TargetPage::targetChosen);
-    offers->setCurrentIndex(wedge);
-    Q_EMIT offers->activated(wedge);
-    ASSERT_EQ(ready.count(), 1);
+  // The target is chosen and the page on which it is put in place is shown.
+  void chooseWedge() { choose("wedge"); }
+  void choose(const QString& name) {
+    pick(name);
     ASSERT_TRUE(waitFor([this] { return mayGoOn(); }));
     press("Next");
+  }
+  void pick(const QString& name) {
+    auto* offers = wizard().target_page->findChildren<QComboBox*>().front();
+    const int index = offers->findData(name);
+    ASSERT_GE(index, 0);
+    QSignalSpy ready(wizard().target_page, &TargetPage::targetChosen);
+    offers->setCurrentIndex(index);
+    Q_EMIT offers->activated(index);
+    ASSERT_EQ(ready.count(), 1);
+  }
+  // A click where the live picture shows a pixel.
+  void clickAt(const Eigen::Vector2d& pixel, const QSizeF& picture) {
+    CameraView* view = page().camera_view;
+    const QSizeF fitted = picture.scaled(view->size(), Qt::KeepAspectRatio);
+    const double scale = fitted.width() / picture.width();
+    const QPointF corner(0.5 * (view->width() - fitted.width()),
+                         0.5 * (view->height() - fitted.height()));
+    const QPointF at = corner + scale * QPointF(pixel.x() + 0.5, pixel.y() + 0.5);
+    QTest::mouseClick(view, Qt::LeftButton, Qt::NoModifier, at.toPoint());
   }
   // The next few looks at the target; true when one of them is enough.
   bool seesTarget(int looks) {
@@ -133,6 +156,85 @@ TEST_F(CalibrationWindow, MeasuresTheRigAndKeepsTheResult) {
   ASSERT_TRUE(record.ok()) << record.error().sentence();
   ASSERT_TRUE(record->turntable.has_value());
   EXPECT_EQ(record->turntable->direction, 1);
+}
+
+TEST_F(CalibrationWindow, TakesSixClicksForTheTarget) {
+  const RigOptions options = smallRig();
+  open(options, "sim:target:cube");
+  // As the drawing shows it: the camera half way between the target's axes.
+  const Rigid3 table_from_target = tableFromTarget(options.sim);
+  const double yaw_rad =
+      std::atan2(table_from_target.rotation(1, 0), table_from_target.rotation(0, 0));
+  bench_->controller().devices().confirmTurntable();
+  bench_->controller().devices().turnToDeg(-45.0 - degFromRad(yaw_rad));
+  choose("cube");
+  ASSERT_TRUE(waitFor([this] { return !bench_->controller().devices().busy() || mayGoOn(); }));
+  ASSERT_TRUE(seesTarget(20)) << wizard().place_page->hindrance().toStdString();
+
+  const Target cube = standardTarget("cube")->target;
+  const Calibration truth = trueCalibration(options.sim);
+  const double table_rad =
+      trueAngleRad(options.sim, bench_->controller().devices().rig()->room->shaft->steps());
+  const Rigid3 cam_from_target = camFromTable(*truth.cam_from_table, table_rad) * table_from_target;
+  const QSizeF picture(truth.camera.width_px, truth.camera.height_px);
+  const auto clickAll = [&](std::vector<int> ids) {
+    press("Show it by hand…");
+    for (const int id : ids) {
+      const auto corner = std::find_if(cube.corners.begin(), cube.corners.end(),
+                                       [id](const TargetCorner& c) { return c.id == id; });
+      clickAt(*truth.camera.project(cam_from_target * corner->position_in_target), picture);
+    }
+  };
+  const std::vector<int> asked = sketchOf(cube).to_click;
+  QSignalSpy seen(&bench_->calibrations(), &CalibrationController::sightSeen);
+  clickAll(asked);
+  EXPECT_NE(button("Show it by hand…"), nullptr);  // no corner is asked for any more
+  seen.clear();
+  ASSERT_TRUE(waitFor([&] { return seen.count() >= 2; }));
+  EXPECT_TRUE(mayGoOn()) << wizard().place_page->hindrance().toStdString();
+
+  // On wrong corners they are refused, and what was known before is kept.
+  std::vector<int> wrong = asked;
+  std::swap(wrong[0], wrong[5]);
+  std::swap(wrong[1], wrong[3]);
+  QStringList sentences;
+  QObject::connect(
+      &bench_->calibrations(), &CalibrationController::sightSeen, wizard().place_page,
+      [&](const TargetSight& sight) { sentences.append(QString::fromStdString(sight.sentence)); });
+  clickAll(wrong);
+  EXPECT_TRUE(waitFor([&] { return sentences.join(' ').contains("Click six corners"); }));
+
+  // Clicking can be given up.
+  press("Show it by hand…");
+  press("Stop clicking");
+  EXPECT_NE(button("Show it by hand…"), nullptr);
+}
+
+TEST_F(CalibrationWindow, RefusesAFlatTargetUnlessTheLensIsKept) {
+  open(smallRig(), "sim:target:ring");
+  pick("ring");
+  ASSERT_TRUE(
+      waitFor([this] { return !wizard().target_page->hindrance().contains("being read"); }));
+  EXPECT_TRUE(wizard().target_page->hindrance().contains("lies flat"))
+      << wizard().target_page->hindrance().toStdString();
+  EXPECT_FALSE(mayGoOn());
+  auto* keep = wizard().target_page->findChildren<QCheckBox*>().front();
+  ASSERT_TRUE(keep->isEnabled());  // the simulated rig knows its camera
+  keep->click();
+  ASSERT_TRUE(waitFor([this] { return mayGoOn(); }));
+  press("Next");
+  ASSERT_TRUE(seesTarget(20)) << wizard().place_page->hindrance().toStdString();
+  press("Next");
+  press("Start turning");
+  QSignalSpy failed(&bench_->calibrations(), &CalibrationController::turnFailed);
+  ASSERT_TRUE(waitFor([&] { return wizard().step() == WizardStep::kResult || !failed.isEmpty(); }));
+  ASSERT_TRUE(failed.isEmpty()) << failed.front().at(0).value<Error>().sentence();
+  const Calibration& found = bench_->calibrations().outcome()->rig.calibration;
+  const Calibration truth = trueCalibration(smallRig().sim);
+  EXPECT_EQ(found.camera.fx, truth.camera.fx);
+  EXPECT_LT(
+      found.cam_from_table->rotation.col(2).cross(truth.cam_from_table->rotation.col(2)).norm(),
+      radFromDeg(0.05));
 }
 
 TEST_F(CalibrationWindow, SaysThatThereIsNoTarget) {

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "ui/parts.h"
+#include "ui/target_drawing.h"
 
 namespace gyre {
 
@@ -14,9 +15,24 @@ PlaceTargetPage::PlaceTargetPage()
   faces_ = makeLabel(QString());
   faces_->setAccessibleName(tr("Faces of the target that are seen"));
   sentence_ = makeLabel(QString(), "muted");
+  asking_ = makeLabel(QString());
+  asking_->setAccessibleName(tr("Corner to click"));
+  drawing_ = new TargetDrawing;
+  hand_ = makeButton(QString(), tr("Click six corners of the target in the picture"));
   body().addWidget(faces_);
   body().addWidget(sentence_);
+  body().addWidget(asking_);
+  body().addWidget(drawing_);
+  body().addWidget(hand_);
   body().addStretch(1);
+  connect(hand_, &QPushButton::clicked, this, [this] {
+    if (clicking_) {
+      Q_EMIT handCancelled();
+    } else {
+      Q_EMIT handRequested();
+    }
+  });
+  hand_->hide();
   reset();
 }
 
@@ -37,7 +53,27 @@ void PlaceTargetPage::showSight(const TargetSight& sight) {
   Q_EMIT hindranceChanged();
 }
 
+void PlaceTargetPage::showSketch(const TargetSketch& sketch) {
+  sketch_ = sketch;
+  showAsked({});
+}
+
+void PlaceTargetPage::showAsked(std::optional<int> asked) {
+  clicking_ = asked.has_value();
+  hand_->setVisible(!sketch_.to_click.empty());
+  hand_->setText(clicking_ ? tr("Stop &clicking") : tr("Show it by &hand…"));
+  asking_->setVisible(clicking_);
+  drawing_->setVisible(clicking_);
+  if (!clicking_) return;
+  asking_->setText(tr("Turn the target until it looks as in the drawing. Then click the ringed "
+                      "corner in the picture: %1 of %2.")
+                       .arg(*asked + 1)
+                       .arg(sketch_.to_click.size()));
+  drawing_->ask(sketch_, *asked);
+}
+
 void PlaceTargetPage::reset() {
+  showAsked({});
   faces_->clear();
   sentence_->setText(tr("Looking for the target…"));
   hindrance_ = tr("The target has not been seen yet.");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -66,18 +67,27 @@ TargetPage::TargetPage()
   body().addLayout(row);
   body().addWidget(own);
   body().addLayout(readings);
+  keep_lens_ = new QCheckBox(tr("Only the camera was moved: &keep its lens"));
+  keep_lens_->setToolTip(
+      tr("Measures the camera's place anew and keeps focal length and distortion of the "
+         "calibration in use. Neither focus nor zoom may have been touched; a flat target or the "
+         "ring will do."));
+  keep_lens_->setEnabled(false);
+  body().addWidget(keep_lens_);
   body().addWidget(state_);
   body().addStretch(1);
   hindrance_ = tr("Choose a target first.");
   connect(target_, &QComboBox::activated, this, &TargetPage::announce);
   connect(right_mm_, &QDoubleSpinBox::editingFinished, this, &TargetPage::announce);
   connect(down_mm_, &QDoubleSpinBox::editingFinished, this, &TargetPage::announce);
+  connect(keep_lens_, &QCheckBox::toggled, this, &TargetPage::announce);
   connect(print, &QPushButton::clicked, this, &TargetPage::askFolder);
   connect(own, &QPushButton::clicked, this, &TargetPage::askFile);
 }
 
 TargetChoice TargetPage::choice() const {
-  return {target_->currentData().toString(), readingOf(*right_mm_), readingOf(*down_mm_)};
+  return {target_->currentData().toString(), readingOf(*right_mm_), readingOf(*down_mm_),
+          keep_lens_->isChecked()};
 }
 
 void TargetPage::showOffers(const std::vector<TargetOffer>& offers) {
@@ -100,6 +110,8 @@ void TargetPage::showProblem(const Error& why) {
   state_->setText(tr("✗ This target cannot be used"));
   Q_EMIT hindranceChanged();
 }
+
+void TargetPage::allowKeepingLens() { keep_lens_->setEnabled(true); }
 
 void TargetPage::showPrinted(const QString& file) {
   state_->setText(tr("✓ Written: %1").arg(QDir::toNativeSeparators(file)));

@@ -8,6 +8,7 @@
 #include "ui/calibration_facts.h"
 #include "ui/calibration_wizard/wizard_page.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -28,6 +29,7 @@ class TargetPage final : public WizardPage {
   void showOffers(const std::vector<gyre::TargetOffer>& offers);
   void showReady();                          // the chosen target can be used
   void showProblem(const gyre::Error& why);  // it cannot
+  void allowKeepingLens();                   // a calibration of the camera is there
   void showPrinted(const QString& file);
   void useFile(const QString& path);  // a TARGET.json of one's own
 
@@ -46,6 +48,7 @@ class TargetPage final : public WizardPage {
   QComboBox* page_;
   QDoubleSpinBox* right_mm_;
   QDoubleSpinBox* down_mm_;
+  QCheckBox* keep_lens_;
   QLabel* state_;
   QString hindrance_;
 };
