@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/calibration_wiring.h"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -21,8 +22,17 @@
 namespace gyre {
 namespace {
 
-// Residuals are tenths of a pixel: enlarged so far, they are seen.
-constexpr float kResidualScale = 100.0F;
+// Residuals are hundredths of a pixel: the usual one is drawn as long as this.
+constexpr double kArrow_px = 40.0;
+
+// How much they are enlarged: 1, 2 or 5 times a power of ten.
+double arrowScale(double rms_px) {
+  if (!(rms_px > 0.0)) return 1.0;
+  const double wanted = kArrow_px / rms_px;
+  const double ten = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double digit = wanted / ten;
+  return ten * (digit >= 5.0 ? 5.0 : digit >= 2.0 ? 2.0 : 1.0);
+}
 
 std::vector<PictureMark> foundMarks(const TargetSight& sight) {
   std::vector<PictureMark> marks;
@@ -33,12 +43,12 @@ std::vector<PictureMark> foundMarks(const TargetSight& sight) {
   return marks;
 }
 
-std::vector<PictureMark> residualMarks(const CalibrationReport& report) {
+std::vector<PictureMark> residualMarks(const CalibrationReport& report, double scale) {
   std::vector<PictureMark> marks;
   marks.reserve(report.residuals.size());
   for (const CalibrationResidual& residual : report.residuals) {
     const Eigen::Vector2f at = residual.pixel.cast<float>();
-    const Eigen::Vector2f to = at + kResidualScale * residual.residual_px.cast<float>();
+    const Eigen::Vector2f to = at + (scale * residual.residual_px).cast<float>();
     marks.push_back(
         {residual.used ? PictureMark::Shape::kArrow : PictureMark::Shape::kCross, at, to});
   }
@@ -141,9 +151,10 @@ void wireFacts(WorkPage& page, CalibrationController& calibrations) {
                      page.scene_view->showTarget(rig.target, rig.table_from_target);
                      page.scene_view->fitRig();
                      wizard.turn_page->showDone();
-                     wizard.result_page->showReport(rig.report);
+                     const double scale = arrowScale(rig.report.rms_px);
+                     wizard.result_page->showReport(rig.report, scale);
                      wizard.showStep(WizardStep::kResult);
-                     page.camera_view->setOverlay(residualMarks(rig.report));
+                     page.camera_view->setOverlay(residualMarks(rig.report, scale));
                      sound(Chime::kDone);
                    });
 }

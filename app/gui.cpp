@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "app/settings.h"
 #include "app/workbench.h"
 #include "ui/calibration_panel.h"
+#include "ui/calibration_wizard/calibration_wizard.h"
 #include "ui/scene_canvas.h"
 #include "ui/scene_view.h"
 #include "ui/theme.h"
@@ -40,6 +42,20 @@ constexpr double kPictureShare = 0.6;
 constexpr double kPictureSpeed = 20.0;
 constexpr int kPatience_ms = 600000;
 
+// The wizard's pages among the scenes.
+std::optional<WizardStep> wizardStep(const std::string& scene) {
+  constexpr std::array<std::pair<const char*, WizardStep>, 5> kPages = {
+      {{"focus", WizardStep::kFocus},
+       {"target", WizardStep::kTarget},
+       {"calibrate", WizardStep::kPlace},
+       {"turn", WizardStep::kTurn},
+       {"verdict", WizardStep::kResult}}};
+  for (const auto& [word, step] : kPages) {
+    if (scene == word) return step;
+  }
+  return std::nullopt;
+}
+
 // Draws the scene and ends the program's event loop with 0, or with 1 when it cannot.
 class Photographer final : public QObject {
  public:
@@ -55,8 +71,8 @@ class Photographer final : public QObject {
       QTimer::singleShot(500, this, [this] { take(); });
       return;
     }
-    if (options.scene == "calibrate") {
-      showTarget();
+    if (const auto step = wizardStep(options.scene)) {
+      showWizard(*step);
       return;
     }
     const QString folder = work_.filePath("duck");
@@ -75,19 +91,33 @@ class Photographer final : public QObject {
   }
 
  private:
-  // The wizard's page on which the target is put in place, once it is seen.
-  void showTarget() {
+  // A page of the calibration wizard, when it shows what it is there for.
+  void showWizard(WizardStep step) {
     CalibrationPanel* panel = bench_.window().work_page->calibration_panel;
     bench_.window().showWork(Step::kCalibrate);
-    connect(&bench_.controller().devices(), &DeviceSession::opened, panel, [this, panel] {
+    connect(&bench_.controller().devices(), &DeviceSession::opened, panel, [this, panel, step] {
       panel->showWizard();
       bench_.calibrations().chooseTarget({"wedge", {}, {}});
-      panel->wizard->showStep(WizardStep::kPlace);
+      panel->wizard->showStep(std::min(step, WizardStep::kPlace));
+      if (step == WizardStep::kTarget) takeSoon();
     });
-    connect(&bench_.calibrations(), &CalibrationController::sightSeen, this,
-            [this](const TargetSight& sight) {
-              if (sight.passes) takeSoon();
+    CalibrationController* calibrations = &bench_.calibrations();
+    connect(calibrations, &CalibrationController::focusSeen, this, [this, step] {
+      if (step == WizardStep::kFocus) takeSoon();
+    });
+    connect(calibrations, &CalibrationController::sightSeen, this,
+            [this, panel, calibrations, step](const TargetSight& sight) {
+              if (!sight.passes) return;
+              if (step == WizardStep::kPlace) takeSoon();
+              if (step <= WizardStep::kPlace) return;
+              bench_.controller().devices().confirmTurntable();
+              panel->wizard->showStep(WizardStep::kTurn);
+              calibrations->turn();
             });
+    connect(calibrations, &CalibrationController::pictureTaken, this, [this, step] {
+      if (step == WizardStep::kTurn) takeSoon();
+    });
+    connect(calibrations, &CalibrationController::measured, this, [this] { takeSoon(); });
     bench_.controller().devices().open("sim:target", "sim");
   }
   // After what the same news has changed elsewhere was painted.
@@ -125,9 +155,12 @@ int takeScreenshot(const GuiOptions& options) {
 
 int runGui(int argc, char** argv, const GuiOptions& options) {
   const bool pictures = !options.screenshot.empty();
-  constexpr std::array kScenes = {"start", "calibrate", "scan", "mesh"};
-  if (pictures && std::find(kScenes.begin(), kScenes.end(), options.scene) == kScenes.end()) {
-    failWith("There is no such scene. Give --scene start, calibrate, scan or mesh.");
+  constexpr std::array kScenes = {"start", "scan", "mesh"};
+  if (pictures && !wizardStep(options.scene) &&
+      std::find(kScenes.begin(), kScenes.end(), options.scene) == kScenes.end()) {
+    failWith(
+        "There is no such scene. Give --scene start, focus, target, calibrate, turn, verdict, scan "
+        "or mesh.");
     return 2;
   }
   if (pictures && !hasDisplay()) qputenv("QT_QPA_PLATFORM", "offscreen");

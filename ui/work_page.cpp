@@ -25,7 +25,7 @@
 namespace gyre {
 namespace {
 
-constexpr int kStepsWidth_px = 304;
+constexpr int kStepsWidth_px = 324;
 
 // A view in a card, under a line that names it.
 QFrame* framed(const QString& title, const QString& legend, QWidget* view, QWidget* tool) {

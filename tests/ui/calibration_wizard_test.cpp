@@ -180,14 +180,15 @@ TEST_F(CalibrationWizardTest, TurnsStopsFailsAndTurnsAgain) {
 TEST_F(CalibrationWizardTest, TellsTheVerdictWithBothFiguresAndOffersARedoMarked) {
   wizard_.showStep(WizardStep::kResult);
   EXPECT_FALSE(mayGoOn());
-  wizard_.result_page->showReport(reportOf(CalibrationVerdict::kAcceptable));
+  wizard_.result_page->showReport(reportOf(CalibrationVerdict::kAcceptable), 500.0);
   const QString text = textOf(wizard_);
   EXPECT_TRUE(text.contains("△ Acceptable"));
   EXPECT_TRUE(text.contains("local detail ± 0.012 mm"));
   EXPECT_TRUE(text.contains("overall size ± 0.034 mm (size not verified)"));
+  EXPECT_TRUE(text.contains("500 times as long"));
   EXPECT_TRUE(text.contains("Print the target larger."));
   EXPECT_NE(buttonOf(wizard_, "Use this calibration"), nullptr);
-  wizard_.result_page->showReport(reportOf(CalibrationVerdict::kRedo));
+  wizard_.result_page->showReport(reportOf(CalibrationVerdict::kRedo), 1.0);
   EXPECT_TRUE(textOf(wizard_).contains("✗ Do it again"));
   QSignalSpy kept(wizard_.result_page, &ResultPage::keepRequested);
   press("Use it all the same, marked");

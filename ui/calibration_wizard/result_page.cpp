@@ -11,7 +11,7 @@ namespace gyre {
 
 ResultPage::ResultPage()
     : WizardPage(tr("The result"), "result",
-                 tr("The arrows in the picture show how far each corner is missed, enlarged.")) {
+                 tr("The arrows in the picture show how far each corner is missed.")) {
   verdict_ = makeLabel(QString(), "title");
   verdict_->setAccessibleName(tr("Verdict"));
   sentence_ = makeLabel(QString());
@@ -37,19 +37,21 @@ QString ResultPage::hindrance() const {
   return measured_ ? QString() : tr("Nothing has been measured yet.");
 }
 
-void ResultPage::showReport(const CalibrationReport& report) {
+void ResultPage::showReport(const CalibrationReport& report, double arrow_scale) {
   measured_ = true;
   verdict_->setText(verdictText(report.verdict));
   sentence_->setText(QString::fromStdString(report.sentence));
   figures_->setText(tr("On an object of %1 mm:\nlocal detail ± %2 mm\noverall size ± %3 mm%4\n"
-                       "Corners are met to %5 px (%6 of them in %7 pictures).")
+                       "Corners are met to %5 px (%6 of them in %7 pictures); the arrows are %8 "
+                       "times as long.")
                         .arg(report.object_size_mm, 0, 'f', 0)
                         .arg(report.local_detail_mm, 0, 'f', 3)
                         .arg(report.overall_size_mm, 0, 'f', 3)
                         .arg(report.size_verified ? QString() : tr(" (size not verified)"))
                         .arg(report.rms_px, 0, 'f', 3)
                         .arg(report.sightings)
-                        .arg(report.views));
+                        .arg(report.views)
+                        .arg(arrow_scale, 0, 'f', 0));
   QStringList remarks;
   for (const std::string& remark : report.remarks) remarks.append(QString::fromStdString(remark));
   remarks_->setText(remarks.join('\n'));

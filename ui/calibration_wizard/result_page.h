@@ -19,7 +19,8 @@ class ResultPage final : public WizardPage {
   QString hindrance() const override;
 
  public Q_SLOTS:
-  void showReport(const gyre::CalibrationReport& report);
+  // arrow_scale: how much the residuals are enlarged in the picture.
+  void showReport(const gyre::CalibrationReport& report, double arrow_scale);
   void showKept(const QString& where);
   void reset();
 
