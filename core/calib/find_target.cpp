@@ -40,7 +40,7 @@ Error noWayToFind(const Target& target) {
   return {Error::Code::kInvalidInput,
           "The target '" + target.name +
               "' carries no codes, and the corners of its faces are not rows and columns.",
-          "Click six of its corners in the picture, or describe its faces in the target file."};
+          "Describe its faces in the target file, each with corners in rows and columns."};
 }
 
 }  // namespace

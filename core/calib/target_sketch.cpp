@@ -43,11 +43,11 @@ std::vector<Eigen::Vector3d> pointsOn(const TargetFace& face) {
   return points;
 }
 
-// The rectangle around the face's corners, half a square wider, in the target frame.
+// The rectangle around the face's corners, a square wider on each side, in the target frame.
 std::array<Eigen::Vector3d, 4> outlineOf(const TargetFace& face) {
   Eigen::AlignedBox2d box;
   for (const auto& corner : face.corners) box.extend(corner.place_mm);
-  const double margin_mm = face.grid ? face.grid->pitch_mm.maxCoeff() : 0.1 * box.diagonal().norm();
+  const double margin_mm = face.grid->pitch_mm.maxCoeff();
   const Eigen::Vector2d low = box.min().array() - margin_mm;
   const Eigen::Vector2d high = box.max().array() + margin_mm;
   return {face.pointAt(low), face.pointAt({high.x(), low.y()}), face.pointAt(high),
@@ -58,7 +58,7 @@ std::array<Eigen::Vector3d, 4> outlineOf(const TargetFace& face) {
 std::vector<const TargetFace*> seenFaces(const std::vector<TargetFace>& faces, const Eye& eye) {
   std::vector<const TargetFace*> seen;
   for (const TargetFace& face : faces) {
-    if (!face.corners.empty() && face.outwardInTarget().dot(eye.towards) > kGrazing) {
+    if (face.grid && face.outwardInTarget().dot(eye.towards) > kGrazing) {
       seen.push_back(&face);
     }
   }

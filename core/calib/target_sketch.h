@@ -9,7 +9,8 @@ namespace gyre {
 
 // Seen from 35 deg above the table, half way between the target's x and y axes. The corners to
 // click are spread over the three faces that are seen best, two on each, or over fewer; there are
-// none when fewer than six corners on at least two faces are seen.
+// none when fewer than six corners on at least two faces are seen. Faces
+// whose corners are not in rows and columns are left out: they could not be followed later.
 TargetSketch sketchOf(const Target& target);
 
 }  // namespace gyre

@@ -255,6 +255,22 @@ TEST_F(CalibrationWindow, SaysThatTheTargetIsOutOfFocus) {
       << why.toStdString();
 }
 
+TEST_F(CalibrationWindow, SaysThatTheTargetWasTakenAwayBeforeTheTurn) {
+  open(smallRig(), "sim:target");
+  chooseWedge();
+  ASSERT_TRUE(seesTarget(20)) << wizard().place_page->hindrance().toStdString();
+  press("Next");
+  QSignalSpy failed(&bench_->calibrations(), &CalibrationController::turnFailed);
+  bench_->controller().devices().rig()->room->setTable(TableLoad::kEmpty);
+  press("Start turning");
+  ASSERT_TRUE(failed.wait(kPatience_ms));
+  EXPECT_FALSE(failed.front().at(0).value<Error>().sentence().empty());
+  EXPECT_EQ(wizard().step(), WizardStep::kTurn);
+  EXPECT_FALSE(mayGoOn());
+  EXPECT_TRUE(button("Start turning")->isEnabled());
+  EXPECT_EQ(bench_->calibrations().outcome(), nullptr);
+}
+
 TEST_F(CalibrationWindow, StopsInTheMiddleAndMeasuresLater) {
   open(smallRig(), "sim:target");
   chooseWedge();

@@ -27,8 +27,8 @@ void addSeed(const test::TurnedTarget& turned, int seed,
   RigBundleOptions options;
   options.image_width_px = 1280;
   options.image_height_px = 960;
-  const auto found = calibrateRig(turned.views(static_cast<std::uint64_t>(seed)), turned.target,
-                                  options, Task{});
+  const auto found =
+      calibrateRig(turned.views(static_cast<std::uint64_t>(seed)), turned.target, options, Task{});
   ASSERT_TRUE(found) << found.error().sentence();
   misses.push_back(test::missOf(*found, turned.truth, turned.true_rad));
 }

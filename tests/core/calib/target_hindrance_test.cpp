@@ -174,8 +174,8 @@ TEST(TargetPreview, ShowsWhatIsFoundFaceByFace) {
   ASSERT_TRUE(full);
   double nearest_px = 1e9;
   for (const auto& pixel : preview.found_px) {
-    nearest_px = std::min(
-        nearest_px, (pixel.cast<double>() - full->view.sightings.front().pixel).norm());
+    nearest_px =
+        std::min(nearest_px, (pixel.cast<double>() - full->view.sightings.front().pixel).norm());
   }
   EXPECT_LT(nearest_px, 0.5);
 }
