@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/clock.h"
-#include "core/calib/standard_targets.h"
+#include "core/calib/targets/standard_targets.h"
 #include "core/io/picture_file.h"
 #include "core/pipeline/check_before_scan.h"
 #include "core/pipeline/target_finder.h"

@@ -11,7 +11,7 @@
 
 #include "app/device_session.h"
 #include "app/job_runner.h"
-#include "core/calib/find_target.h"
+#include "core/calib/match/find_target.h"
 #include "core/pipeline/calibrate.h"
 #include "core/scan/target_sight.h"
 #include "core/scan/target_sketch.h"

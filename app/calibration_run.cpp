@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/sim_target.h"
-#include "core/calib/calibrate_hand_held.h"
-#include "core/calib/ruler_scale.h"
+#include "core/calib/lens/calibrate_hand_held.h"
+#include "core/calib/targets/ruler_scale.h"
 #include "core/io/calibration_file.h"
 #include "core/io/frame_folder.h"
 #include "core/io/picture_file.h"
@@ -135,8 +135,9 @@ Result<CalibrationRecord> calibrateHandHeldSet(const std::filesystem::path& fold
   if (!pictures) return pictures.error();
   const auto size = commonSize(pictures->files);
   if (!size) return size.error();
-  const auto sighted = sightPictures(*pictures, soughtTarget(*target), TargetHeld::kByHand, watcher,
-                                     kLeastHandHeld, task.part(0.0, 0.8));
+  const auto sighted =
+      sightPictures(*pictures, soughtTarget(*target), {TargetHeld::kByHand, kLeastHandHeld},
+                    watcher, task.part(0.0, 0.8));
   if (!sighted) return sighted.error();
   auto calibrated = calibrateHandHeld(*target, sighted->views, {size->width_px, size->height_px},
                                       {}, task.part(0.8, 1.0));
@@ -150,23 +151,21 @@ Result<CalibrationRecord> calibrateHandHeldSet(const std::filesystem::path& fold
 }
 
 Result<CalibrationCheck> checkByPictures(const std::filesystem::path& calibration,
-                                         const std::filesystem::path& folder,
-                                         const std::filesystem::path& angles,
+                                         const CalibrationPictures& pictures,
                                          const CalibrationWords& words,
                                          const CalibrationWatcher& watcher, const Task& task) {
   const auto known = readCalibration(calibration);
   if (!known) return known.error();
   const auto target = targetAtSize(words);
   if (!target) return target.error();
-  const auto pictures = openCalibrationPictures(folder, angles);
-  if (!pictures) return pictures.error();
-  const auto size = commonSize(pictures->files);
+  const auto size = commonSize(pictures.files);
   if (!size) return size.error();
   if (const auto same = checkCalibratedSize(*size, known->camera, "The pictures have"); !same) {
     return same.error();
   }
-  const auto sighted = sightPictures(*pictures, soughtTarget(*target), TargetHeld::kByTable,
-                                     watcher, kLeastChecked, task.part(0.0, 0.9));
+  const auto sighted =
+      sightPictures(pictures, soughtTarget(*target), {TargetHeld::kByTable, kLeastChecked}, watcher,
+                    task.part(0.0, 0.9));
   if (!sighted) return sighted.error();
   return checkCalibration(*known, sighted->views, *target, task.part(0.9, 1.0));
 }

@@ -8,8 +8,8 @@
 
 #include "core/base/result.h"
 #include "core/base/task.h"
-#include "core/calib/calibrate_points.h"
-#include "core/calib/calibration_check.h"
+#include "core/calib/lens/calibrate_points.h"
+#include "core/calib/rig/calibration_check.h"
 #include "core/pipeline/calibrate.h"
 #include "core/pipeline/check_before_scan.h"
 #include "core/scan/calibration_record.h"
@@ -51,8 +51,7 @@ Result<CalibrationRecord> calibrateHandHeldSet(const std::filesystem::path& fold
 // Measures a target in pictures of a turn with a calibration that was made before: another target,
 // or the same on another day. Both must be true to their files: nothing of them is solved.
 Result<CalibrationCheck> checkByPictures(const std::filesystem::path& calibration,
-                                         const std::filesystem::path& folder,
-                                         const std::filesystem::path& angles,
+                                         const CalibrationPictures& pictures,
                                          const CalibrationWords& words,
                                          const CalibrationWatcher& watcher, const Task& task);
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/calib/print_sheet.h"
+#include "core/calib/targets/print_sheet.h"
 
 namespace gyre {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/calib/standard_targets.h"
+#include "core/calib/targets/standard_targets.h"
 #include "core/io/target_file.h"
 
 namespace gyre {

@@ -119,8 +119,10 @@ int fromPictures(const Words& words, Console& console, const Task& task) {
 }
 
 int check(const Words& words, Console& console, const Task& task) {
-  const auto checked = checkByPictures(words.check, words.pictures, words.angles, words.what,
-                                       watcherOf(console), task);
+  const auto pictures = openCalibrationPictures(words.pictures, words.angles);
+  if (!pictures) return console.fail(pictures.error());
+  const auto checked =
+      checkByPictures(words.check, *pictures, words.what, watcherOf(console), task);
   if (!checked) return console.fail(checked.error());
   console.say(checked->sentence);
   const double allowed_mm = VerdictLimits{}.acceptable_detail * words.what.object_size_mm;

@@ -23,8 +23,8 @@ Result<CalibrationOutcome> calibrateFromPictures(const CalibrationPictures& pict
                                                  const Task& task) {
   const auto size = commonSize(pictures.files);
   if (!size) return size.error();
-  auto sighted = sightPictures(pictures, target, TargetHeld::kByTable, watcher,
-                               options.bundle.min_views, task.part(0.0, 0.8));
+  auto sighted = sightPictures(pictures, target, {TargetHeld::kByTable, options.bundle.min_views},
+                               watcher, task.part(0.0, 0.8));
   if (!sighted) return sighted.error();
   RigBundleOptions bundle = options.bundle;
   bundle.image_width_px = size->width_px;

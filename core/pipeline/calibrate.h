@@ -10,8 +10,8 @@
 
 #include "core/base/result.h"
 #include "core/base/task.h"
-#include "core/calib/rig_bundle.h"
-#include "core/calib/target_series.h"
+#include "core/calib/match/target_series.h"
+#include "core/calib/rig/rig_bundle.h"
 #include "core/device/camera.h"
 #include "core/device/turntable.h"
 #include "core/pipeline/find_turning.h"
@@ -86,15 +86,19 @@ Result<CalibrationPictures> openCalibrationPictures(const std::filesystem::path&
 // What moved the target from picture to picture: by hand it may have been turned in any way.
 enum class TargetHeld { kByTable, kByHand };
 
+struct SightOptions {
+  TargetHeld held = TargetHeld::kByTable;
+  std::size_t needed = 6;  // pictures that must show it. >= 1
+};
+
 // The sightings alone. Fails with the commonest reason when fewer pictures than needed show it.
 struct SightedPictures {
   std::vector<TargetView> views;
   std::vector<std::string> skipped;
 };
 Result<SightedPictures> sightPictures(const CalibrationPictures& pictures,
-                                      const SoughtTarget& target, TargetHeld held,
-                                      const CalibrationWatcher& watcher, std::size_t needed,
-                                      const Task& task);
+                                      const SoughtTarget& target, const SightOptions& options,
+                                      const CalibrationWatcher& watcher, const Task& task);
 
 // Looks for the target in every picture and solves the rig from those that show it. Fails with the
 // commonest reason when too few do.

@@ -94,14 +94,13 @@ Result<CalibrationPictures> openCalibrationPictures(const std::filesystem::path&
 }
 
 Result<SightedPictures> sightPictures(const CalibrationPictures& pictures,
-                                      const SoughtTarget& target, TargetHeld held,
-                                      const CalibrationWatcher& watcher, std::size_t needed,
-                                      const Task& task) {
-  const bool together = held == TargetHeld::kByTable && target.find_all;
+                                      const SoughtTarget& target, const SightOptions& options,
+                                      const CalibrationWatcher& watcher, const Task& task) {
+  const bool together = options.held == TargetHeld::kByTable && target.find_all;
   auto sightings = together ? sightTogether(pictures, target, watcher, task)
                             : sightOneByOne(pictures, target, watcher, task);
   if (!sightings) return sightings.error();
-  if (const auto enough = sightings->checkEnough(needed); !enough) return enough.error();
+  if (const auto enough = sightings->checkEnough(options.needed); !enough) return enough.error();
   return SightedPictures{std::move(sightings->views), std::move(sightings->skipped)};
 }
 

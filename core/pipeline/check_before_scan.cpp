@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/calib/calibration_check.h"
+#include "core/calib/rig/calibration_check.h"
 #include "core/track/drift_monitor.h"
 
 namespace gyre {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/clock.h"
-#include "core/calib/turn_gauge.h"
+#include "core/calib/rig/turn_gauge.h"
 
 namespace gyre {
 namespace {

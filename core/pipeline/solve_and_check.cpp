@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "core/calib/calibration_check.h"
-#include "core/calib/rig_verdict.h"
+#include "core/calib/rig/calibration_check.h"
+#include "core/calib/rig/rig_verdict.h"
 
 namespace gyre {
 namespace {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "core/calib/find_target.h"
-#include "core/calib/target_series.h"
+#include "core/calib/match/find_target.h"
+#include "core/calib/match/target_series.h"
 
 namespace gyre {
 

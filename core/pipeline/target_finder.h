@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calib/find_target.h"
+#include "core/calib/match/find_target.h"
 #include "core/pipeline/calibrate.h"
 #include "core/scan/target.h"
 

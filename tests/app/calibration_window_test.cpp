@@ -18,8 +18,8 @@
 
 #include "app/workbench.h"
 #include "core/base/units.h"
-#include "core/calib/standard_targets.h"
-#include "core/calib/target_sketch.h"
+#include "core/calib/match/target_sketch.h"
+#include "core/calib/targets/standard_targets.h"
 #include "core/geometry/turntable_pose.h"
 #include "core/io/calibration_record_file.h"
 #include "core/sim/rig.h"

@@ -6,7 +6,7 @@
 
 #include "app/rig.h"
 #include "core/base/clock.h"
-#include "core/calib/standard_targets.h"
+#include "core/calib/targets/standard_targets.h"
 #include "core/io/target_file.h"
 #include "core/sim/rig_json.h"
 #include "tests/support/temp_dir.h"

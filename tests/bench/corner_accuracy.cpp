@@ -17,10 +17,10 @@
 
 #include "core/base/random.h"
 #include "core/base/units.h"
-#include "core/calib/beaudet.h"
-#include "core/calib/l_corner.h"
-#include "core/calib/saddle_fit.h"
-#include "core/calib/x_corner_detector.h"
+#include "core/calib/corners/beaudet.h"
+#include "core/calib/corners/l_corner.h"
+#include "core/calib/corners/saddle_fit.h"
+#include "core/calib/corners/x_corner_detector.h"
 #include "tests/support/rendered_checker.h"
 
 namespace gyre {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "core/calib/standard_targets.h"
-#include "core/calib/target_preview.h"
+#include "core/calib/match/target_preview.h"
+#include "core/calib/targets/standard_targets.h"
 #include "core/sim/renderer.h"
 
 namespace gyre {

@@ -7,6 +7,21 @@ function roomOf(path, parts) {
   return parts[1] == "core" ? parts[1] "/" parts[2] : parts[1]
 }
 
+# The folder of a path within its room: "core/calib/rig" of core/calib/rig/turn.h, nothing of
+# core/calib/turn.h. Only folders that the rules name are held apart.
+function cornerOf(path, parts, corner) {
+  if (split(path, parts, "/") < 4) return ""
+  corner = parts[1] "/" parts[2] "/" parts[3]
+  return corner in arrows ? corner : ""
+}
+
+# Whether a file may see a header of its own room.
+function maySeeInside(file, header, from, to) {
+  from = cornerOf(file)
+  to = cornerOf(header)
+  return from == "" || to == "" || from == to || index(" " arrows[from] " ", " " to " ") > 0
+}
+
 # Whether the file stands in one of the places, "core", "core/scan/frame.h" or "core:cpp".
 function standsIn(file, places, list, count, i, place) {
   count = split(places, list, " ")
@@ -105,6 +120,7 @@ FILENAME ~ /CMakeLists\.txt$/ {
   if (!(room in arrows)) breach("the room " room " is not in the rules")
   else if (header !~ /^(app|core|ui)\//) breach("\"" header "\" must be named from the root of the repository")
   else if (!maySee(room, header)) breach(room " may not include " header)
+  else if (!maySeeInside(FILENAME, header)) breach(cornerOf(FILENAME) " may not include " header)
 }
 
 /^[ \t]*#[ \t]*include[ \t]*</ {

@@ -22,6 +22,7 @@ cleanTree() {
   put core/geometry/ray.h '#include <Eigen/Core>' '#include "core/base/task.h"'
   put core/mesh/options.h '#include "core/base/task.h"'
   put core/mesh/alpha.cpp '#include <CGAL/Delaunay_3.h>' '#include "core/scan/frame.h"'
+  put core/calib/match/find.cpp '#include "core/calib/corners/ring.h"' '#include "core/scan/frame.h"'
   put core/sim/camera.cpp '#include "core/device/camera.h"'
   put core/pipeline/run.cpp '#include "core/mesh/options.h"' '#include "core/sim/camera.h"'
   put ui/panel.h '#include <QWidget>' '#include "core/scan/frame.h"' '#include "core/mesh/options.h"'
@@ -61,6 +62,7 @@ put core/io/bad.cpp '#include <QString>';                     finds core/io/bad.
 put core/mesh/bad.cpp '#include <vtkPolyData.h>';             finds core/mesh/bad.cpp:3
 put core/mesh/bad.cpp '#include "alpha.h"';                   finds core/mesh/bad.cpp:3
 put core/attic/bad.cpp '#include "core/base/task.h"';         finds core/attic/bad.cpp:3
+put core/calib/lens/bad.cpp '#include "core/calib/rig/turn.h"'; finds core/calib/lens/bad.cpp:3
 put ui/bad.cpp '#include "core/mesh/alpha.h"';                finds ui/bad.cpp:3
 put ui/bad.cpp '#include "app/settings.h"';                   finds ui/bad.cpp:3
 put ui/bad.cpp '#include <thread>';                           finds ui/bad.cpp:3

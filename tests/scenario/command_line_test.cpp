@@ -21,9 +21,9 @@ namespace gyre {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using test::Answer;
 using test::gyre;
+using ::testing::HasSubstr;
 
 class Commands : public testing::Test {
  protected:

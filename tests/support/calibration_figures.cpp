@@ -9,7 +9,7 @@
 #include <Eigen/Dense>
 
 #include "core/base/units.h"
-#include "core/calib/object_error.h"
+#include "core/calib/rig/object_error.h"
 #include "core/geometry/turntable_pose.h"
 
 namespace gyre::test {

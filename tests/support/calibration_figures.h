@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/calib/rig_bundle.h"
+#include "core/calib/rig/rig_bundle.h"
 #include "core/scan/calibration.h"
 
 namespace gyre::test {

@@ -13,7 +13,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
-#include "core/calib/target_face.h"
+#include "core/calib/match/target_face.h"
 #include "core/geometry/turntable_pose.h"
 #include "core/scan/marker_dictionary.h"
 
@@ -118,6 +118,12 @@ struct World {
   std::vector<DrawnFace> faces;
   std::vector<DrawnMarker> loose;  // markers of no face, on z = 0
   Eigen::Vector3d camera;          // in the target frame
+  Eigen::Vector3d middle;          // of the target
+  double reach = 0.0;              // nothing of it is farther from there
+
+  bool mayHit(const Eigen::Vector3d& ray) const {
+    return (middle - camera).cross(ray).norm() <= reach * ray.norm();
+  }
 
   double brightnessAlong(const Eigen::Vector3d& ray) const {
     double nearest = std::numeric_limits<double>::max();
@@ -158,7 +164,7 @@ struct World {
 };
 
 World worldOf(const Target& target, const TargetScene& scene, const Eigen::Vector3d& camera) {
-  World world{target, scene, {}, {}, camera};
+  World world{target, scene, {}, {}, camera, Eigen::Vector3d::Zero()};
   for (const TargetFace& face : facesOf(target)) {
     if (!face.corners.empty()) world.faces.emplace_back(target, face);
   }
@@ -175,6 +181,12 @@ World worldOf(const Target& target, const TargetScene& scene, const Eigen::Vecto
     }
     i += 3;
   }
+  for (const auto& point : points) world.middle += point.position_in_target;
+  world.middle /= static_cast<double>(std::max<std::size_t>(1, points.size()));
+  for (const auto& point : points) {
+    world.reach = std::max(world.reach, (point.position_in_target - world.middle).norm());
+  }
+  world.reach *= 2.0;  // margins of white, and more
   return world;
 }
 
@@ -190,6 +202,12 @@ cv::Mat renderTarget(const Target& target, const CameraModel& camera, const Rigi
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
       for (int x = 0; x < sharp.cols; ++x) {
         const Eigen::Vector2d centre = camera.normalizedFromPixel(Eigen::Vector2d(x, y));
+        const double light = 1.0 - scene.shade * x / sharp.cols;
+        if (scene.cloth_square_mm <= 0.0 &&
+            !world.mayHit(target_from_cam.rotation * centre.homogeneous())) {
+          sharp.at<float>(y, x) = static_cast<float>(light * scene.ground);
+          continue;
+        }
         const Eigen::Matrix2d back = camera.pixelJacobian(centre).inverse();
         double sum = 0.0;
         for (int k = 0; k < kSamples; ++k) {
@@ -199,7 +217,6 @@ cv::Mat renderTarget(const Target& target, const CameraModel& camera, const Rigi
           const Eigen::Vector2d place = centre + back * off;
           sum += world.brightnessAlong(target_from_cam.rotation * place.homogeneous());
         }
-        const double light = 1.0 - scene.shade * x / sharp.cols;
         sharp.at<float>(y, x) = static_cast<float>(light * sum / kSamples);
       }
     }

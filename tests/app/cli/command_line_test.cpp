@@ -11,9 +11,9 @@
 namespace gyre {
 namespace {
 
-using ::testing::HasSubstr;
 using test::Answer;
 using test::gyre;
+using ::testing::HasSubstr;
 
 TEST(CommandLine, TellsItsVersionAndItsWords) {
   EXPECT_THAT(gyre({"--version"}).out, HasSubstr("gyre 0."));

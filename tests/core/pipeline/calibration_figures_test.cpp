@@ -9,9 +9,9 @@
 #include <Eigen/Geometry>
 
 #include "core/base/random.h"
-#include "core/calib/calibrate_points.h"
-#include "core/calib/rig_bundle.h"
-#include "core/calib/standard_targets.h"
+#include "core/calib/lens/calibrate_points.h"
+#include "core/calib/rig/rig_bundle.h"
+#include "core/calib/targets/standard_targets.h"
 #include "core/pipeline/target_finder.h"
 #include "core/sim/renderer.h"
 #include "tests/support/calibration_figures.h"

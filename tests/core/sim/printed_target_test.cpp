@@ -10,7 +10,7 @@
 #include <opencv2/aruco.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/calib/standard_targets.h"
+#include "core/calib/targets/standard_targets.h"
 #include "core/geometry/turntable_pose.h"
 #include "core/sim/renderer.h"
 

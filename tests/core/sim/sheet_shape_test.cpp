@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/units.h"
-#include "core/calib/standard_targets.h"
+#include "core/calib/targets/standard_targets.h"
 
 namespace gyre {
 namespace {
