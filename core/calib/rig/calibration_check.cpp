@@ -249,13 +249,4 @@ Result<PlaceCheck> checkPlace(const RigCalibration& known, const TargetView& vie
   return check;
 }
 
-Result<RigCalibration> restorePlace(const CameraModel& camera, std::span<const TargetView> views,
-                                    const Target& target, RigBundleOptions options,
-                                    const Task& task) {
-  options.fixed_camera = camera;
-  options.image_width_px = camera.width_px;
-  options.image_height_px = camera.height_px;
-  return calibrateRig(views, target, options, task);
-}
-
 }  // namespace gyre

@@ -58,10 +58,4 @@ struct PlaceCheckOptions {
 Result<PlaceCheck> checkPlace(const RigCalibration& known, const TargetView& view,
                               const PlaceCheckOptions& options = {});
 
-// The place of a camera that was moved, but neither refocused nor zoomed, from one turn of a
-// target; a flat one or a ring of markers will do. The intrinsics stay as they are.
-Result<RigCalibration> restorePlace(const CameraModel& camera, std::span<const TargetView> views,
-                                    const Target& target, RigBundleOptions options,
-                                    const Task& task);
-
 }  // namespace gyre

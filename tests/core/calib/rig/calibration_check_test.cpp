@@ -117,8 +117,8 @@ TEST_F(Place, ComesBackWithOneTurnOfTheRing) {
   turned_.truth.cam_from_table = bump * *turned_.truth.cam_from_table;
   RigBundleOptions options = defaultOptions();
   options.shape = TargetShape::kExact;
-  const auto found =
-      restorePlace(turned_.truth.camera, turned_.views(1), turned_.target, options, Task{});
+  options.fixed_camera = turned_.truth.camera;
+  const auto found = calibrateRig(turned_.views(1), turned_.target, options, Task{});
   ASSERT_TRUE(found) << found.error().sentence();
   EXPECT_EQ(found->calibration.camera.fx, turned_.truth.camera.fx);
   // Up to a turn about the axis, which the x axis towards the camera fixes anew.
