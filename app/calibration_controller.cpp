@@ -184,7 +184,10 @@ void CalibrationController::watch(WizardStep step) {
   }
 }
 
-void CalibrationController::stopWatching() { watched_.reset(); }
+void CalibrationController::stopWatching() {
+  watched_.reset();
+  cancelHand();
+}
 
 void CalibrationController::lookAt(const FramePtr& frame) {
   newest_ = frame;

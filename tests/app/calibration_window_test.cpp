@@ -204,10 +204,14 @@ TEST_F(CalibrationWindow, TakesSixClicksForTheTarget) {
   clickAll(wrong);
   EXPECT_TRUE(waitFor([&] { return sentences.join(' ').contains("Click six corners"); }));
 
-  // Clicking can be given up.
+  // Clicking can be given up, and is when the wizard is left.
   press("Show it by hand…");
   press("Stop clicking");
   EXPECT_NE(button("Show it by hand…"), nullptr);
+  press("Show it by hand…");
+  EXPECT_EQ(page().camera_view->cursor().shape(), Qt::CrossCursor);
+  press("Leave");
+  EXPECT_NE(page().camera_view->cursor().shape(), Qt::CrossCursor);
 }
 
 TEST_F(CalibrationWindow, RefusesAFlatTargetUnlessTheLensIsKept) {
