@@ -62,7 +62,7 @@ void ScanController::devicesOpened(const TurntableInfo& turntable) {
   Q_EMIT logged(tr("Connected: %1 on %2, camera %3")
                     .arg(QString::fromStdString(turntable.firmware), devices_.turntableWord(),
                          devices_.cameraWord()));
-  empty_table_ = nullptr;
+  empty_table_.reset();
   const SimulatedRoom* room = devices_.rig()->room.get();
   if (room != nullptr && room->camera != nullptr) {
     know(trueCalibration(room->settings), tr("The simulated rig's own calibration."));
@@ -102,7 +102,7 @@ void ScanController::takeEmptyTable() {
   if (!devices_.isOpen() || isCapturing(phase_)) return;
   const ScanPhase before = phase_;
   setPhase(ScanPhase::kEmptyTable);
-  auto picture = std::make_shared<FramePtr>();
+  auto picture = std::make_shared<EmptyTable>();
   devices_.runAlone(
       [rig = devices_.rig(), picture](const Task& task) -> Result<void> {
         auto taken = pictureOfEmptyTable(*rig, task);

@@ -42,7 +42,7 @@ class ScanController final : public QObject {
   DeviceSession& devices() { return devices_; }
   ScanPhase phase() const { return phase_; }
   const std::optional<CalibrationRecord>& calibration() const { return calibration_; }
-  bool hasEmptyTable() const { return empty_table_ != nullptr; }
+  bool hasEmptyTable() const { return empty_table_.has_value(); }
   const PointCloudPtr& cloud() const { return cloud_; }
   const MeshPtr& mesh() const { return mesh_; }
   const std::filesystem::path& folder() const { return folder_; }
@@ -102,7 +102,7 @@ class ScanController final : public QObject {
   ScanPhase phase_ = ScanPhase::kIdle;
   std::optional<CalibrationRecord> calibration_;
   std::filesystem::path reference_;  // belongs to the calibration; may be missing
-  FramePtr empty_table_;
+  std::optional<EmptyTable> empty_table_;
   PointCloudPtr cloud_;
   MeshPtr mesh_;
   std::filesystem::path folder_;

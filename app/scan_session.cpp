@@ -22,6 +22,14 @@
 namespace gyre {
 namespace {
 
+constexpr const char* kEmptyTableLost =
+    "Where the table stood for the picture of the empty table is not known any more: the object is "
+    "told by its motion instead.";
+
+void tell(const ScanObserver& observer, const std::string& remark) {
+  if (observer.on_remark) observer.on_remark(remark);
+}
+
 // A scan that goes on turns the table as it was turned before.
 Result<ScanStore> openedStore(const Rig& rig, const ScanPlan& plan) {
   auto store = ScanStore::open(plan.folder);
@@ -37,9 +45,7 @@ Result<ScanStore> storeFor(const Rig& rig, const ScanPlan& plan, const ScanObser
   if (plan.begin != ScanBegin::kNew) return openedStore(rig, plan);
   const auto remarks = prepareRig(rig, plan.calibration, plan.reference, task);
   if (!remarks) return remarks.error();
-  if (observer.on_remark) {
-    for (const std::string& remark : *remarks) observer.on_remark(remark);
-  }
+  for (const std::string& remark : *remarks) tell(observer, remark);
   ScanSettings settings = plan.settings;
   const TurntableInfo info = rig.turntable->info();
   settings.units_per_turn = info.units_per_turn;
@@ -63,36 +69,29 @@ Result<void> findTable(const Rig& rig, const ScanStore& store, const Task& task)
   return rig.turntable->setAngle((*found)->table_angle_rad);
 }
 
-Result<void> prepareTable(const Rig& rig, const ScanPlan& plan, ScanStore& store,
-                          const Task& task) {
+Result<void> prepareTable(const Rig& rig, const ScanPlan& plan, const ScanObserver& observer,
+                          ScanStore& store, const Task& task) {
   if (plan.begin != ScanBegin::kNew) {
     if (rig.room) rig.room->setTable(TableLoad::kObject);
     if (plan.begin == ScanBegin::kResumedInPlace) return {};
     return findTable(rig, store, task);
   }
   if (plan.empty_table) {
-    if (const auto kept = store.addEmptyTable(*plan.empty_table); !kept) return kept;
+    const auto kept = keepEmptyTable(*plan.empty_table, *rig.turntable, store);
+    if (!kept) return kept.error();
+    if (!*kept) tell(observer, kEmptyTableLost);
   }
   return takeEmptyTable(rig, store, task);
 }
 
 }  // namespace
 
-Result<FramePtr> pictureOfEmptyTable(const Rig& rig, const Task& task) {
-  if (rig.room) rig.room->setTable(TableLoad::kEmpty);
-  const auto picture = rig.camera->grabAfter(steadySeconds(), task);
-  if (rig.room) rig.room->setTable(TableLoad::kObject);
-  if (!picture) return picture.error();
-  auto frame = std::make_shared<Frame>(**picture);
-  frame->table_angle_rad = rig.turntable->angleRad();
-  return FramePtr(std::move(frame));
-}
-
 Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
                                          const ScanObserver& observer, const Task& task) {
   auto store = storeFor(rig, plan, observer, task);
   if (!store) return store.error();
-  if (const auto ready = prepareTable(rig, plan, *store, task); !ready) return ready.error();
+  if (const auto ready = prepareTable(rig, plan, observer, *store, task); !ready)
+    return ready.error();
   auto reconstruction = runScan(*rig.turntable, *rig.camera, *store, observer, task.part(0.0, 0.9));
   if (!reconstruction) return reconstruction.error();
   auto results = writeScanResults(*store, *reconstruction, task.part(0.9, 1.0));

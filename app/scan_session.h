@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/empty_table.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
 #include "core/base/result.h"
@@ -31,7 +32,7 @@ struct ScanPlan {
   ScanSettings settings;
   CalibrationRecord calibration;
   std::filesystem::path reference;  // picture by which a bump since is told; may be missing
-  FramePtr empty_table;             // null: none was taken
+  std::optional<EmptyTable> empty_table;
 };
 
 struct ScanSessionResult {
@@ -39,10 +40,6 @@ struct ScanSessionResult {
   WrittenResults results;
   std::optional<Error> problem;  // too few points, no mesh, a bump: shown beside what there is
 };
-
-// A picture of the bare table at the angle at which the table stands. In a simulated room the
-// object is taken off before and put on the table after.
-Result<FramePtr> pictureOfEmptyTable(const Rig& rig, const Task& task);
 
 // The whole way from an open rig to a folder with results. On failure, and when stopped, what was
 // captured stays in the folder.

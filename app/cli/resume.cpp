@@ -72,11 +72,12 @@ int captureRest(const Words& words, Console& console, ScanStore& store, const Ta
   auto rig = openAgain(words, store, task);
   if (!rig) return failScan(console, store, rig.error());
   tellDevices(console, *rig);
-  if (const auto taken = takeEmptyTable(*rig, store, task); !taken) {
-    return failScan(console, store, taken.error());
-  }
+  if (rig->room) rig->room->setTable(TableLoad::kObject);
   if (const auto found = findAngle(*rig, store, task.part(0.0, 0.05)); !found) {
     return failScan(console, store, found.error());
+  }
+  if (const auto taken = takeEmptyTable(*rig, store, task); !taken) {
+    return failScan(console, store, taken.error());
   }
   return endScan(console, store,
                  runScan(*rig->turntable, *rig->camera, store, task.part(0.05, 0.9)),

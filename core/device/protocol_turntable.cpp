@@ -85,8 +85,14 @@ Result<void> ProtocolTurntable::correct(double turned_over_told) {
   return {};
 }
 
-double ProtocolTurntable::angleRad() const {
-  return static_cast<double>(steps()) / info_.steps_per_turn * kTurn_rad;
+double ProtocolTurntable::angleOf(std::int64_t machine_steps) const {
+  return options_.direction * static_cast<double>(machine_steps - origin_steps_) /
+         info_.steps_per_turn * kTurn_rad;
+}
+
+std::optional<double> ProtocolTurntable::angleAt(const TablePlace& place) const {
+  if (!angle_known_ || link_.trouble() || place.count != count_) return std::nullopt;
+  return angleOf(place.motor_steps);
 }
 
 std::int64_t ProtocolTurntable::steps() const {
@@ -368,6 +374,7 @@ Result<void> ProtocolTurntable::setAngle(double angle_rad) {
     return Error{Error::Code::kInvalidInput, "The angle to set is not a number.", ""};
   }
   if (const Result<void> quiet = link_.drain(); !quiet) return quiet;
+  angle_known_ = angle_known_ && !link_.trouble();
   link_.forgiveTrouble();
   const Result<GrblStatus> status = link_.status(kReply_s, {});
   if (!status) return status.error();
@@ -378,6 +385,7 @@ Result<void> ProtocolTurntable::setAngle(double angle_rad) {
   if (!machine) return machine.error();
   machine_steps_ = *machine;
   origin_steps_ = machine_steps_ - stepsFor(angle_rad);
+  if (!angle_known_) ++count_;
   angle_known_ = true;
   return {};
 }

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "core/base/result.h"
 #include "core/base/task.h"
@@ -33,8 +34,10 @@ class ProtocolTurntable final : public Turntable {
                                                          const Task& task);
 
   Result<void> moveTo(double angle_rad, const Task& task) override;
-  double angleRad() const override;
+  double angleRad() const override { return angleOf(machine_steps_); }
   std::int64_t steps() const override;
+  TablePlace place() const override { return {count_, machine_steps_}; }
+  std::optional<double> angleAt(const TablePlace& place) const override;
   Result<void> setAngle(double angle_rad) override;
   void stop() noexcept override { stop_requested_ = true; }
   Result<void> release() override;
@@ -61,6 +64,7 @@ class ProtocolTurntable final : public Turntable {
   bool standsAt(const GrblStatus& status, std::int64_t machine_steps) const;
   Result<std::int64_t> machineStepsIn(const GrblStatus& status) const;
   std::int64_t stepsFor(double angle_rad) const;
+  double angleOf(std::int64_t machine_steps) const;
   double secondsFor(std::int64_t way_steps) const;
 
   GrblLink link_;
@@ -71,6 +75,7 @@ class ProtocolTurntable final : public Turntable {
   std::int64_t machine_steps_ = 0;  // by the board's count, at the last confirmed standstill
   std::int64_t origin_steps_ = 0;   // the board's count at angle 0
   bool angle_known_ = false;
+  int count_ = 0;  // grows whenever a lost angle is set anew: the board may count anew since
   std::atomic<bool> stop_requested_ = false;
 };
 

@@ -3,12 +3,19 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/scan/device_info.h"
 
 namespace gyre {
+
+// Where a table stood, in its motor's own count.
+struct TablePlace {
+  int count = 0;  // of the motor steps: a new one begins whenever the angle was lost
+  std::int64_t motor_steps = 0;
+};
 
 // Used by one thread at a time, but for stop(), which any thread may call at any time.
 // Angles are the table's own: positive counter-clockwise seen from above.
@@ -24,6 +31,13 @@ class Turntable {
   // The angle, and the motor steps from angle 0, of the last confirmed standstill.
   virtual double angleRad() const = 0;
   virtual std::int64_t steps() const = 0;
+
+  // The place of the last confirmed standstill. Neither setAngle() nor correct() changes places.
+  virtual TablePlace place() const = 0;
+
+  // The angle that a place of this table has as angles are counted now; nothing when the angle was
+  // lost since the table stood there.
+  virtual std::optional<double> angleAt(const TablePlace& place) const = 0;
 
   // Declares that the table now stands at this angle. Moves nothing.
   virtual Result<void> setAngle(double angle_rad) = 0;

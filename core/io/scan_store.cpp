@@ -17,6 +17,7 @@
 #include "core/base/check.h"
 #include "core/io/atomic_file.h"
 #include "core/io/calibration_file.h"
+#include "core/io/empty_table_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/picture_file.h"
 #include "core/io/scan_settings_file.h"
@@ -28,7 +29,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFrames = "frames";
 constexpr const char* kEmpty = "empty";
-constexpr const char* kEmptyPicture = "empty.png";
 constexpr const char* kJournal = "journal.jsonl";
 constexpr const char* kCalibration = "calibration.json";
 
@@ -208,7 +208,7 @@ Result<void> ScanStore::addView(const Frame& frame, std::int64_t steps, double s
 }
 
 Result<void> ScanStore::addEmptyTable(const Frame& frame) {
-  return writePicture(folder_ / kEmpty / kEmptyPicture, frame.image_bgr);
+  return writeEmptyTable(folder_ / kEmpty, frame);
 }
 
 Result<FramePtr> ScanStore::readView(const CapturedView& view) const {
@@ -220,9 +220,7 @@ Result<FramePtr> ScanStore::readView(const CapturedView& view) const {
 }
 
 Result<FramePtr> ScanStore::readEmptyTable() const {
-  auto frame = readPicture(folder_ / kEmpty / kEmptyPicture);
-  if (!frame) return frame.error();
-  return std::make_shared<const Frame>(*std::move(frame));
+  return gyre::readEmptyTable(folder_ / kEmpty);
 }
 
 }  // namespace gyre

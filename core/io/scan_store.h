@@ -40,6 +40,8 @@ class ScanStore {
   // must be one of the settings; a view that is there already is replaced. sharpness: any measure
   // that grows with it, for the journal.
   Result<void> addView(const Frame& frame, std::int64_t steps, double sharpness = 0.0);
+
+  // Keeps the picture of the bare table with its angle; one that is there already is replaced.
   Result<void> addEmptyTable(const Frame& frame);
 
   Result<FramePtr> readView(const CapturedView& view) const;

@@ -13,6 +13,7 @@
 #include "core/base/units.h"
 #include "core/io/angles_file.h"
 #include "core/io/calibration_file.h"
+#include "core/io/empty_table_file.h"
 #include "core/io/frame_folder.h"
 #include "core/io/picture_file.h"
 #include "core/io/scan_store.h"
@@ -24,7 +25,6 @@ namespace fs = std::filesystem;
 
 // Views closer than this are the same stop of the table.
 constexpr double kSameAngle_rad = 1e-6;
-constexpr std::size_t kMostBackgrounds = 16;
 
 Error invalid(std::string what, std::string advice) {
   return {Error::Code::kInvalidInput, std::move(what), std::move(advice)};
@@ -43,32 +43,6 @@ bool isScan(const fs::path& path) {
     if (entry->path().extension() == ".gyre") return true;
   }
   return false;
-}
-
-// The mean of all pictures of the bare table: less noise than one.
-Result<FramePtr> readBackground(const fs::path& background) {
-  std::vector<fs::path> files = {background};
-  if (isDirectory(background)) {
-    auto listed = listPictures(background);
-    if (!listed) return listed.error();
-    files = std::move(*listed);
-    files.resize(std::min(files.size(), kMostBackgrounds));
-  }
-  cv::Mat sum;
-  for (const fs::path& file : files) {
-    auto frame = readPicture(file);
-    if (!frame) return frame.error();
-    if (!sum.empty() && frame->image_bgr.size() != sum.size()) {
-      return invalid("The pictures of the bare table differ in size.",
-                     "Take them all with the same camera settings.");
-    }
-    if (sum.empty()) sum = cv::Mat::zeros(frame->image_bgr.size(), CV_32FC3);
-    cv::add(sum, frame->image_bgr, sum, cv::noArray(), CV_32F);
-  }
-  auto mean = std::make_shared<Frame>();
-  mean->name = files.front().filename().string();
-  sum.convertTo(mean->image_bgr, CV_8U, 1.0 / static_cast<double>(files.size()));
-  return FramePtr(std::move(mean));
 }
 
 // A scan's own views, calibration and empty table.
@@ -174,7 +148,7 @@ Result<PreparedPictures> preparePictures(const PictureSet& set) {
   if (auto ordered = orderViews(prepared->views); !ordered) return ordered.error();
   if (auto sized = checkSizes(*prepared); !sized) return sized.error();
   if (!set.background.empty()) {
-    auto background = readBackground(set.background);
+    auto background = readEmptyTable(set.background);
     if (!background) return background.error();
     prepared->empty_table = *background;
   }

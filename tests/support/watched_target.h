@@ -103,6 +103,8 @@ class OddTable final : public Turntable {
   double angleRad() const override { return (told_rad_ - zero_rad_) * turned_over_told_; }
   double trueAngleRad() const { return turned_rad_(told_rad_); }
   std::int64_t steps() const override { return 0; }
+  TablePlace place() const override { return {}; }
+  std::optional<double> angleAt(const TablePlace&) const override { return std::nullopt; }
   Result<void> setAngle(double) override { return {}; }
   void stop() noexcept override { stopped = true; }
   Result<void> release() override { return {}; }

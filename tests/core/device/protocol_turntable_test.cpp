@@ -138,6 +138,31 @@ TEST_F(ProtocolTurntableTest, SetAngleMovesNothing) {
   EXPECT_EQ(shaft_->steps(), 400);
 }
 
+TEST_F(ProtocolTurntableTest, PlaceHoldsHoweverAnglesAreCounted) {
+  const auto table = open();
+  ASSERT_TRUE(table->moveTo(radFromDeg(45.0), Task()));
+  const TablePlace place = table->place();
+  ASSERT_TRUE(table->moveTo(radFromDeg(90.0), Task()));
+  EXPECT_NEAR(table->angleAt(place).value(), radFromDeg(45.0), 1e-9);
+  ASSERT_TRUE(table->setAngle(0.0));
+  EXPECT_NEAR(table->angleAt(place).value(), radFromDeg(-45.0), 1e-9);
+  // One radian told was half of one turned, the other way.
+  ASSERT_TRUE(table->correct(-0.5));
+  EXPECT_NEAR(table->angleAt(place).value(), radFromDeg(22.5), 1e-9);
+  EXPECT_NEAR(table->angleAt(table->place()).value(), 0.0, 1e-9);
+}
+
+TEST_F(ProtocolTurntableTest, PlaceIsLostWithTheAngle) {
+  const auto table = open();
+  ASSERT_TRUE(table->moveTo(radFromDeg(30.0), Task()));
+  const TablePlace place = table->place();
+  ASSERT_TRUE(table->release());
+  EXPECT_FALSE(table->angleAt(place));
+  ASSERT_TRUE(table->setAngle(0.0));
+  EXPECT_FALSE(table->angleAt(place));
+  EXPECT_EQ(table->angleAt(table->place()).value(), 0.0);
+}
+
 TEST_F(ProtocolTurntableTest, StopFromAnotherThreadSlowsDownAndKeepsThePosition) {
   const auto table = open();
   std::jthread stopper([&] {

@@ -100,8 +100,13 @@ TEST(ScanStore, KeepsTheEmptyTable) {
   auto store = ScanStore::create(dir / "duck", settingsFor(2), someCalibration());
   ASSERT_TRUE(store) << store.error().sentence();
   EXPECT_EQ(store->readEmptyTable().error().code, Error::Code::kNotFound);
-  ASSERT_TRUE(store->addEmptyTable(frameOf(7)));
-  EXPECT_EQ(cv::norm((*store->readEmptyTable())->image_bgr, frameOf(7).image_bgr, cv::NORM_INF), 0);
+  Frame frame = frameOf(7);
+  frame.table_angle_rad = -0.35;
+  ASSERT_TRUE(store->addEmptyTable(frame));
+  const auto read = store->readEmptyTable();
+  ASSERT_TRUE(read) << read.error().sentence();
+  EXPECT_EQ(cv::norm((*read)->image_bgr, frame.image_bgr, cv::NORM_INF), 0);
+  EXPECT_NEAR((*read)->table_angle_rad, -0.35, 1e-12);
 }
 
 TEST(ScanStore, CreatesInAnEmptyFolderAndMakesTheFoldersAbove) {
