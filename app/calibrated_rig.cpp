@@ -6,22 +6,12 @@
 #include <utility>
 
 #include "core/base/clock.h"
-#include "core/calib/targets/standard_targets.h"
 #include "core/io/picture_file.h"
 #include "core/pipeline/check_before_scan.h"
+#include "core/pipeline/platter_ring.h"
 #include "core/pipeline/target_finder.h"
 
 namespace gyre {
-namespace {
-
-// What stays on the platter under objects: markers without faces.
-std::optional<Target> ringOf(const CalibrationRecord& record) {
-  const auto standard = standardTarget(record.target);
-  if (!standard || !standard->target.faces.empty()) return std::nullopt;
-  return standard->target;
-}
-
-}  // namespace
 
 Result<std::vector<std::string>> applyCalibration(const Rig& rig, const CalibrationRecord& record) {
   if (const auto same = sameCameraAsCalibrated(record, rig.camera->info()); !same) {

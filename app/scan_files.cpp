@@ -13,7 +13,7 @@ Result<WrittenResults> writeScanResults(const ScanStore& store,
                                         const Reconstruction& reconstruction, const Task& task) {
   const ScanSettings& settings = store.settings();
   ResultContext context;
-  context.calibration = store.calibration();
+  context.calibration = store.calibrationRecord();
   context.angles = anglesOfViews(store.views());
   Report& report = context.report;
   report.title = settings.title;

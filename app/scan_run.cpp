@@ -53,15 +53,16 @@ Result<LiveReconstruction> startReconstruction(const ScanStore& store) {
   if (!empty_table && empty_table.error().code != Error::Code::kNotFound) {
     return empty_table.error();
   }
-  return LiveReconstruction::create(store.calibration(), empty_table ? *empty_table : nullptr);
+  return LiveReconstruction::create(store.calibrationRecord(),
+                                    empty_table ? *empty_table : nullptr);
 }
 
-// The task's reports with the number of points behind them, and a bump of the camera.
+// The task's reports with the number of points behind them, and a bump.
 Task withPoints(const Task& task, const LiveFeed& feed) {
   return Task(task.stopToken(), [task, &feed](double fraction, std::string_view stage) {
     std::string text = std::string(stage) + ", " + std::to_string(feed.pointsSoFar()) + " points";
     if (const auto bumped = feed.bumpedView()) {
-      text += ", the camera was bumped at view " + std::to_string(*bumped + 1);
+      text += ", camera or table were bumped at view " + std::to_string(*bumped + 1);
     }
     task.report(fraction, text);
   });

@@ -17,7 +17,8 @@ namespace gyre {
 
 // Who watches a scan: each is called where something has happened, or not set.
 struct ScanObserver {
-  // Before the first move: what the user should know of the rig, a sentence.
+  // Before the first move, and when all views are reconstructed: what the user should know of the
+  // rig, a sentence.
   std::function<void(const std::string& remark)> on_remark;
   // Before the first move: how many views are there already.
   std::function<void(int views_done, int views)> on_begin;

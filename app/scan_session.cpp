@@ -51,7 +51,7 @@ Result<ScanStore> storeFor(const Rig& rig, const ScanPlan& plan, const ScanObser
   settings.units_per_turn = info.units_per_turn;
   settings.direction = info.direction;
   if (rig.room) settings.sim_rig_json = rigToJson(rig.room->settings);
-  return ScanStore::create(plan.folder, settings, plan.calibration.calibration);
+  return ScanStore::create(plan.folder, settings, plan.calibration);
 }
 
 // Where the table stands is not known after a pause of the program: a picture tells.
@@ -94,6 +94,9 @@ Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
     return ready.error();
   auto reconstruction = runScan(*rig.turntable, *rig.camera, *store, observer, task.part(0.0, 0.9));
   if (!reconstruction) return reconstruction.error();
+  if (reconstruction->turning && reconstruction->turning->lostSteps()) {
+    tell(observer, reconstruction->turning->sentence);
+  }
   auto results = writeScanResults(*store, *reconstruction, task.part(0.9, 1.0));
   if (!results) return results.error();
   std::optional<Error> problem = results->mesh_problem;

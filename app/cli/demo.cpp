@@ -88,8 +88,7 @@ int run(const Words& words, Console& console, const Task& task) {
   const auto calibration =
       calibrationOf(*settings, words, console, task.part(0.0, words.calibrate ? 0.2 : 0.0));
   if (!calibration) return console.fail(calibration.error());
-  auto store =
-      ScanStore::create(words.out, settingsFor(*settings, words.views), calibration->calibration);
+  auto store = ScanStore::create(words.out, settingsFor(*settings, words.views), *calibration);
   if (!store) return console.fail(store.error());
   RigOptions options;
   options.sim = *settings;

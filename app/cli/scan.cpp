@@ -100,7 +100,7 @@ int run(const Words& words, Console& console, const Task& task) {
   if (const auto matched = matchCalibration(words, *rig, *plan, console, task); !matched) {
     return console.fail(matched.error());
   }
-  auto store = ScanStore::create(words.out, plan->settings, plan->calibration.calibration);
+  auto store = ScanStore::create(words.out, plan->settings, plan->calibration);
   if (!store) return console.fail(store.error());
   return endScan(console, *store, scan(words, *rig, *store, task.part(0.0, 0.9)),
                  task.part(0.9, 1.0));

@@ -27,6 +27,9 @@ void tellResults(Console& console, const Reconstruction& reconstruction,
   } else {
     console.note(reconstruction.drift.sentence);
   }
+  if (const auto& turning = reconstruction.turning) {
+    turning->lostSteps() ? console.warn(turning->sentence) : console.note(turning->sentence);
+  }
   if (written.mesh_problem) {
     console.warn("There is no mesh: " + written.mesh_problem->sentence());
   } else {

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/units.h"
 #include "core/io/atomic_file.h"
 
 namespace gyre {
@@ -44,17 +45,43 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
-// {sentence, views: [{view, px, sigma_px, moved}]}; a view that nobody could judge has no px.
-ordered_json driftJson(const DriftReport& drift) {
-  ordered_json root;
-  root["sentence"] = drift.sentence;
-  root["views"] = ordered_json::array();
-  for (const ViewDrift& each : drift.views) {
+// A view that nobody could judge has no px.
+ordered_json driftViewsJson(const std::vector<ViewDrift>& views) {
+  ordered_json list = ordered_json::array();
+  for (const ViewDrift& each : views) {
     ordered_json view;
     view["view"] = each.view;
     view["px"] = each.judged ? ordered_json(each.px) : ordered_json();
     view["sigma_px"] = each.judged ? ordered_json(each.sigma_px) : ordered_json();
     view["moved"] = each.moved;
+    list.push_back(std::move(view));
+  }
+  return list;
+}
+
+// {sentence, views: [{view, px, sigma_px, moved}], platter: likewise, where it has a ring}
+ordered_json driftJson(const DriftReport& drift) {
+  ordered_json root;
+  root["sentence"] = drift.sentence;
+  root["views"] = driftViewsJson(drift.views);
+  if (!drift.platter.empty()) root["platter"] = driftViewsJson(drift.platter);
+  return root;
+}
+
+// {sentence, rms_off_deg, worst_off_deg, views: [{view, told_deg, angle_deg, sigma_deg}]}; a view
+// whose angle the markers did not tell has no sigma.
+ordered_json turningJson(const TurningReport& turning) {
+  ordered_json root;
+  root["sentence"] = turning.sentence;
+  root["rms_off_deg"] = degFromRad(turning.rms_off_rad);
+  root["worst_off_deg"] = degFromRad(turning.worst_off_rad);
+  root["views"] = ordered_json::array();
+  for (const TurnedView& each : turning.views) {
+    ordered_json view;
+    view["view"] = each.view;
+    view["told_deg"] = degFromRad(each.told_rad);
+    view["angle_deg"] = degFromRad(each.angle_rad);
+    view["sigma_deg"] = each.seen ? ordered_json(degFromRad(each.sigma_rad)) : ordered_json();
     root["views"].push_back(std::move(view));
   }
   return root;
@@ -100,7 +127,8 @@ void appendResult(std::string& html, const Report& report) {
   if (report.closure_mm) {
     appendRow(html, "Gap after a full turn", withUnit(*report.closure_mm, "mm"));
   }
-  appendRow(html, "Bumps of the camera", report.drift.sentence);
+  appendRow(html, "Bumps of camera and table", report.drift.sentence);
+  if (report.turning) appendRow(html, "How the table turned", report.turning->sentence);
   html.append("</table>\n");
 }
 
@@ -137,6 +165,7 @@ std::string reportJson(const Report& report) {
   root["closure_px"] = numberOrNull(report.closure_px);
   root["closure_mm"] = numberOrNull(report.closure_mm);
   root["drift"] = report.drift.views.empty() ? ordered_json() : driftJson(report.drift);
+  root["turning"] = report.turning ? turningJson(*report.turning) : ordered_json();
   root["seconds"] = ordered_json::object();
   for (const auto& [stage, seconds] : report.seconds) root["seconds"][stage] = seconds;
   const auto& sigma = report.sigma_mm;

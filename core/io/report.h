@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/scan/drift.h"
 #include "core/scan/point_cloud.h"
+#include "core/scan/turning.h"
 
 namespace gyre {
 
@@ -37,6 +38,7 @@ struct Report {
   std::optional<double> closure_mm;
   std::optional<SigmaPercentiles> sigma_mm;
   DriftReport drift;                            // without views when nobody watched
+  std::optional<TurningReport> turning;         // where the platter has a ring of markers
   std::map<std::string, double> seconds;        // stage -> time spent
   std::map<std::string, std::string> versions;  // program or library -> version
   std::map<std::string, std::string> options;   // name -> value as used

@@ -16,7 +16,7 @@
 
 #include "core/base/check.h"
 #include "core/io/atomic_file.h"
-#include "core/io/calibration_file.h"
+#include "core/io/calibration_record_file.h"
 #include "core/io/empty_table_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/picture_file.h"
@@ -41,7 +41,7 @@ fs::path namedFolder(const fs::path& folder) {
 
 // Fills a new folder with an empty scan of the name.
 Result<void> fillFolder(const fs::path& folder, const std::string& name,
-                        const ScanSettings& settings, const Calibration& calibration) {
+                        const ScanSettings& settings, const CalibrationRecord& calibration) {
   for (const char* inner : {kFrames, kEmpty}) {
     std::error_code problem;
     fs::create_directory(folder / inner, problem);
@@ -49,7 +49,7 @@ Result<void> fillFolder(const fs::path& folder, const std::string& name,
   }
   const auto text = scanSettingsText(settings);
   if (!text) return text.error();
-  if (auto done = writeCalibration(folder / kCalibration, calibration); !done) return done;
+  if (auto done = writeCalibrationRecord(folder / kCalibration, calibration); !done) return done;
   if (auto done = writeFileAtomically(folder / kJournal, ""); !done) return done;
   return writeFileAtomically(folder / (name + ".gyre"), *text);
 }
@@ -118,16 +118,16 @@ std::string nowUtc() {
   return std::string(text.data(), length) + fraction.data();
 }
 
+}  // namespace
+
 std::string viewFileName(int view) {
   std::array<char, 32> name{};
   std::snprintf(name.data(), name.size(), "view_%04d.png", view);
   return name.data();
 }
 
-}  // namespace
-
 Result<ScanStore> ScanStore::create(const fs::path& folder, const ScanSettings& settings,
-                                    const Calibration& calibration) {
+                                    const CalibrationRecord& calibration) {
   const fs::path named = namedFolder(folder);
   std::error_code problem;
   if (fs::exists(named, problem) && !(fs::is_directory(named) && fs::is_empty(named, problem))) {
@@ -161,14 +161,14 @@ Result<ScanStore> ScanStore::open(const fs::path& folder_or_file) {
   if (!file) return file.error();
   auto settings = readScanSettings(*file);
   if (!settings) return settings.error();
-  auto calibration = readCalibration(folder / kCalibration);
+  auto calibration = readCalibrationRecord(folder / kCalibration);
   if (!calibration) return calibration.error();
   auto journal = ScanJournal::open(folder / kJournal);
   if (!journal) return journal.error();
   ScanStore store(*std::move(journal));
   store.folder_ = folder;
   store.settings_ = *std::move(settings);
-  store.calibration_ = *std::move(calibration);
+  store.record_ = *std::move(calibration);
   for (const CapturedView& view : store.journal_.views()) {
     if (view.view >= store.settings_.views) continue;
     if (isWholePng(folder / kFrames / view.file)) store.views_.push_back(view);

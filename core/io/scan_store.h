@@ -4,15 +4,19 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/io/scan_journal.h"
-#include "core/scan/calibration.h"
+#include "core/scan/calibration_record.h"
 #include "core/scan/frame.h"
 #include "core/scan/scan.h"
 
 namespace gyre {
+
+// The file of a view below frames/.
+std::string viewFileName(int view);
 
 // NAME/ with NAME.gyre, frames/, empty/, journal.jsonl and calibration.json in it. After addView()
 // has returned, the view is on the disk: the file and its journal line are written and synced.
@@ -23,7 +27,7 @@ class ScanStore {
   // Makes the folder with settings and calibration in it, all or nothing. Fails when the folder
   // exists and is not empty, and then touches nothing; or when it cannot be written.
   static Result<ScanStore> create(const std::filesystem::path& folder, const ScanSettings& settings,
-                                  const Calibration& calibration);
+                                  const CalibrationRecord& calibration);
 
   // Opens the folder, or the .gyre file in it. A torn last journal line, pictures without a line
   // and lines without a whole picture are what a kill leaves behind: they are dropped. kBusy when
@@ -32,7 +36,8 @@ class ScanStore {
 
   const std::filesystem::path& folder() const { return folder_; }
   const ScanSettings& settings() const { return settings_; }
-  const Calibration& calibration() const { return calibration_; }
+  const Calibration& calibration() const { return record_.calibration; }
+  const CalibrationRecord& calibrationRecord() const { return record_; }
   const std::vector<CapturedView>& views() const { return views_; }  // ascending
   bool complete() const;  // every view of the settings is captured
 
@@ -52,7 +57,7 @@ class ScanStore {
 
   std::filesystem::path folder_;
   ScanSettings settings_;
-  Calibration calibration_;
+  CalibrationRecord record_;
   ScanJournal journal_;
   std::vector<CapturedView> views_;
 };

@@ -66,6 +66,7 @@ Result<void> acquireMissing(Turntable& turntable, Camera& camera, ScanStore& sto
     }
     Frame frame = **picture;
     frame.view = view;
+    frame.name = viewFileName(view);
     frame.table_angle_rad = turntable.angleRad();
     const double sharpness = sharpnessOf(frame.image_bgr);
     if (const auto kept = store.addView(frame, turntable.steps(), sharpness); !kept) return kept;

@@ -13,6 +13,8 @@
 #include "core/base/units.h"
 #include "core/mesh/point_normals.h"
 #include "core/pipeline/cloud_filter.h"
+#include "core/pipeline/drift_words.h"
+#include "core/pipeline/platter_ring.h"
 #include "core/scan/picture_size.h"
 #include "core/track/drift_monitor.h"
 #include "core/track/empty_table_mask.h"
@@ -78,16 +80,16 @@ std::vector<Eigen::Vector3d> directionsToCameras(
 
 class LiveReconstruction::Impl {
  public:
-  Impl(const Calibration& calibration, const FramePtr& empty_table,
-       const ReconstructOptions& options, FeatureTracker tracker)
-      : calibration_(calibration),
+  Impl(const CalibrationRecord& record, FramePtr empty_table, const ReconstructOptions& options,
+       FeatureTracker tracker)
+      : calibration_(record.calibration),
         options_(options),
         tracker_(std::move(tracker)),
-        silhouettes_(calibration) {
-    if (empty_table) empty_table_mask_.emplace(calibration, empty_table);
-  }
+        silhouettes_(record.calibration),
+        ring_(PlatterRing::of(record)),
+        empty_table_(std::move(empty_table)) {}
 
-  Result<TrackedFrame> addFrame(const FramePtr& frame, const cv::Mat& object_mask);
+  Result<TrackedFrame> addFrame(const FramePtr& told, const cv::Mat& object_mask);
   PointCloudPtr cloudSoFar() const;
   Result<Reconstruction> finish(const Task& task) const;
 
@@ -97,6 +99,8 @@ class LiveReconstruction::Impl {
     std::optional<EstimatedPoint> estimated;
   };
 
+  FramePtr atSeenAngle(const FramePtr& frame);
+  ViewDrift latestDrift() const;
   bool coversFullTurn() const;
   bool plausible(const EstimatedPoint& estimated) const;
   void measureResiduals(const std::vector<Candidate>& accepted, Reconstruction& result) const;
@@ -105,19 +109,41 @@ class LiveReconstruction::Impl {
   ReconstructOptions options_;
   FeatureTracker tracker_;
   SilhouetteRecord silhouettes_;
+  std::optional<PlatterRing> ring_;
+  FramePtr empty_table_;  // null when there is none
   std::optional<EmptyTableMask> empty_table_mask_;
   MovingMask moving_mask_;
   DriftMonitor drift_;
   std::vector<double> table_angles_rad_;
+  double ring_seconds_ = 0.0;
   double mask_seconds_ = 0.0;
   double track_seconds_ = 0.0;
   double drift_seconds_ = 0.0;
 };
 
-Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& frame,
+// The empty table's angle can be told by the ring once a frame has shown it.
+FramePtr LiveReconstruction::Impl::atSeenAngle(const FramePtr& frame) {
+  FramePtr seen = ring_ ? ring_->follow(frame) : frame;
+  if (empty_table_ && !empty_table_mask_) {
+    empty_table_mask_.emplace(calibration_,
+                              ring_ ? ring_->withSeenAngle(empty_table_) : empty_table_);
+  }
+  return seen;
+}
+
+// A platter that moved is told even where the background stood still.
+ViewDrift LiveReconstruction::Impl::latestDrift() const {
+  const ViewDrift still = drift_.latest();
+  return ring_ && !still.moved && ring_->drift().back().moved ? ring_->drift().back() : still;
+}
+
+Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& told,
                                                         const cv::Mat& object_mask) {
-  if (auto fits = checkSize(calibration_.camera, *frame); !fits) return fits.error();
+  if (auto fits = checkSize(calibration_.camera, *told); !fits) return fits.error();
+  const double looked_s = steadySeconds();
+  const FramePtr frame = atSeenAngle(told);
   const double start_s = steadySeconds();
+  ring_seconds_ += start_s - looked_s;
   const cv::Mat mask = !object_mask.empty() ? cv::Mat(object_mask > 127)
                        : empty_table_mask_  ? empty_table_mask_->maskOf(*frame)
                                             : moving_mask_.addFrame(*frame);
@@ -127,7 +153,7 @@ Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& frame,
   TrackedFrame tracked = tracker_.addFrame(frame, mask);
   const double tracked_s = steadySeconds();
   drift_.addFrame(*frame);
-  tracked.drift = drift_.latest();
+  tracked.drift = latestDrift();
   mask_seconds_ += masked_s - start_s;
   track_seconds_ += tracked_s - masked_s;
   drift_seconds_ += steadySeconds() - tracked_s;
@@ -223,25 +249,30 @@ Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const 
   measureResiduals(accepted, result);
   if (coversFullTurn()) result.turn_gap = tracker_.turnGap();
   result.drift = drift_.report();
+  if (ring_) {
+    result.turning = ring_->turning();
+    addPlatter(result.drift, ring_->drift());
+  }
   result.seconds = {{"mask", mask_seconds_},
                     {"track", track_seconds_},
                     {"drift", drift_seconds_},
                     {"recover", steadySeconds() - start_s}};
+  if (ring_) result.seconds["ring"] = ring_seconds_;
   task.report(1.0, "Points ready");
   return result;
 }
 
-Result<LiveReconstruction> LiveReconstruction::create(const Calibration& calibration,
+Result<LiveReconstruction> LiveReconstruction::create(const CalibrationRecord& record,
                                                       const FramePtr& empty_table,
                                                       const ReconstructOptions& options) {
   if (auto valid = options.validate(); !valid) return valid.error();
   if (empty_table) {
-    if (auto fits = checkSize(calibration.camera, *empty_table); !fits) return fits.error();
+    if (auto fits = checkSize(record.calibration.camera, *empty_table); !fits) return fits.error();
   }
-  auto tracker = FeatureTracker::create(calibration, options.track, options.recover);
+  auto tracker = FeatureTracker::create(record.calibration, options.track, options.recover);
   if (!tracker) return tracker.error();
   return LiveReconstruction(
-      std::make_unique<Impl>(calibration, empty_table, options, std::move(*tracker)));
+      std::make_unique<Impl>(record, empty_table, options, std::move(*tracker)));
 }
 
 LiveReconstruction::LiveReconstruction(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -9,7 +9,7 @@
 #include "core/base/task.h"
 #include "core/pipeline/options.h"
 #include "core/pipeline/reconstruction.h"
-#include "core/scan/calibration.h"
+#include "core/scan/calibration_record.h"
 #include "core/scan/tracked_frame.h"
 
 namespace gyre {
@@ -18,10 +18,11 @@ namespace gyre {
 // for. The same frames give the same points, live or from files. One thread at a time.
 class LiveReconstruction {
  public:
-  // empty_table: a picture of the bare table, at its own angle, or null. Fails when the calibration
-  // has no cam_from_table, the empty table's picture has another size, or an option is out of
+  // empty_table: a picture of the bare table, at its own angle, or null. A ring of markers by which
+  // the rig was calibrated tells the angles (see PlatterRing). Fails when the calibration has no
+  // cam_from_table, the empty table's picture has another size, or an option is out of
   // range.
-  static Result<LiveReconstruction> create(const Calibration& calibration,
+  static Result<LiveReconstruction> create(const CalibrationRecord& calibration,
                                            const FramePtr& empty_table,
                                            const ReconstructOptions& options = {});
 

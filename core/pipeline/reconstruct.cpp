@@ -12,7 +12,7 @@
 #include "core/base/clock.h"
 #include "core/base/units.h"
 #include "core/io/angles_file.h"
-#include "core/io/calibration_file.h"
+#include "core/io/calibration_record_file.h"
 #include "core/io/empty_table_file.h"
 #include "core/io/frame_folder.h"
 #include "core/io/picture_file.h"
@@ -50,7 +50,7 @@ Result<PreparedPictures> openScan(const fs::path& path) {
   auto store = ScanStore::open(path);
   if (!store) return store.error();
   PreparedPictures prepared;
-  prepared.calibration = store->calibration();
+  prepared.calibration = store->calibrationRecord();
   if (auto empty = store->readEmptyTable()) {
     prepared.empty_table = *empty;
   } else if (empty.error().code != Error::Code::kNotFound) {
@@ -120,7 +120,7 @@ Result<void> checkSizes(const PreparedPictures& prepared) {
   for (const PictureView& view : prepared.views) files.push_back(view.file);
   const auto size = commonSize(files);
   if (!size) return size.error();
-  return checkCalibratedSize(*size, prepared.calibration.camera, "The pictures have");
+  return checkCalibratedSize(*size, prepared.calibration.calibration.camera, "The pictures have");
 }
 
 void findMasks(const fs::path& folder, std::vector<PictureView>& views) {
@@ -136,11 +136,11 @@ Result<PreparedPictures> preparePictures(const PictureSet& set) {
   auto prepared = isScan(set.pictures) ? openScan(set.pictures) : openFolder(set);
   if (!prepared) return prepared;
   if (!set.calibration.empty()) {
-    auto calibration = readCalibration(set.calibration);
+    auto calibration = readCalibrationRecord(set.calibration);
     if (!calibration) return calibration.error();
     prepared->calibration = std::move(*calibration);
   }
-  if (!prepared->calibration.cam_from_table) {
+  if (!prepared->calibration.calibration.cam_from_table) {
     return invalid("The calibration does not say where the table is.",
                    "Calibrate with the target on the turning table.");
   }

@@ -13,7 +13,7 @@
 #include "core/pipeline/live_reconstruction.h"
 #include "core/pipeline/options.h"
 #include "core/pipeline/reconstruction.h"
-#include "core/scan/calibration.h"
+#include "core/scan/calibration_record.h"
 #include "core/scan/tracked_frame.h"
 
 namespace gyre {
@@ -39,7 +39,7 @@ struct PictureView {
 
 // Everything that the pictures need, checked but for the pictures' contents.
 struct PreparedPictures {
-  Calibration calibration;
+  CalibrationRecord calibration;
   FramePtr empty_table;            // may be null
   std::vector<PictureView> views;  // ascending angles
 };

@@ -9,6 +9,7 @@
 
 #include "core/scan/drift.h"
 #include "core/scan/point_cloud.h"
+#include "core/scan/turning.h"
 #include "core/track/turn_gap.h"
 
 namespace gyre {
@@ -20,6 +21,7 @@ struct Reconstruction {
   double median_px = 0.0;
   std::optional<TurnGap> turn_gap;        // after a full turn only
   DriftReport drift;                      // whether camera or table were bumped
+  std::optional<TurningReport> turning;   // where a ring of markers tells the table's angles
   std::map<std::string, double> seconds;  // stage -> time spent
 };
 

@@ -8,7 +8,7 @@
 #include <opencv2/core/version.hpp>
 
 #include "core/base/clock.h"
-#include "core/io/calibration_file.h"
+#include "core/io/calibration_record_file.h"
 #include "core/io/obj.h"
 #include "core/io/ply.h"
 #include "core/io/visibility_file.h"
@@ -35,18 +35,30 @@ Report completed(Report report, const Reconstruction& reconstruction) {
   report.sigma_mm = sigmaPercentiles(reconstruction.cloud);
   report.seconds.insert(reconstruction.seconds.begin(), reconstruction.seconds.end());
   report.drift = reconstruction.drift;
+  report.turning = reconstruction.turning;
   report.versions["OpenCV"] = CV_VERSION;
   return report;
 }
 
-Result<void> writePoints(const fs::path& folder, const PointCloud& cloud,
+// As the table truly turned, where that was seen.
+AngleTable solvedAngles(AngleTable angles, const std::optional<TurningReport>& turning) {
+  if (!turning) return angles;
+  for (const TurnedView& each : turning->views) {
+    const auto told = angles.find(each.name);
+    if (told != angles.end()) told->second = each.angle_rad;
+  }
+  return angles;
+}
+
+Result<void> writePoints(const fs::path& folder, const Reconstruction& reconstruction,
                          const ResultContext& context) {
+  const PointCloud& cloud = reconstruction.cloud;
   if (const auto done = writePly(folder / "points.ply", cloud); !done) return done;
   if (const auto done = writeVisibility(folder / "visibility.bin", cloud); !done) return done;
-  if (const auto done = writeCalibration(folder / "calibration.json", context.calibration); !done) {
-    return done;
-  }
-  return writeAngles(folder / "angles_solved.csv", context.angles);
+  const auto done = writeCalibrationRecord(folder / "calibration.json", context.calibration);
+  if (!done) return done;
+  return writeAngles(folder / "angles_solved.csv",
+                     solvedAngles(context.angles, reconstruction.turning));
 }
 
 Result<void> writeMesh(const fs::path& folder, const Mesh& mesh) {
@@ -64,7 +76,7 @@ Result<WrittenResults> writeResults(const fs::path& folder, const Reconstruction
     return Error{Error::Code::kIo, "The folder \"" + folder.string() + "\" cannot be made.",
                  "Choose a folder in which you may write."};
   }
-  if (const auto done = writePoints(folder, reconstruction.cloud, context); !done) {
+  if (const auto done = writePoints(folder, reconstruction, context); !done) {
     return done.error();
   }
   WrittenResults written;

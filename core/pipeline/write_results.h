@@ -10,7 +10,7 @@
 #include "core/io/angles_file.h"
 #include "core/io/report.h"
 #include "core/pipeline/reconstruction.h"
-#include "core/scan/calibration.h"
+#include "core/scan/calibration_record.h"
 #include "core/scan/mesh.h"
 #include "core/scan/scan.h"
 
@@ -18,9 +18,9 @@ namespace gyre {
 
 // What is written beside the points.
 struct ResultContext {
-  Calibration calibration;  // as used
-  AngleTable angles;        // as used
-  Report report;            // title, rights, options, inputs, seconds; the rest is filled in
+  CalibrationRecord calibration;  // as used
+  AngleTable angles;              // as the table was told
+  Report report;                  // title, rights, options, inputs, seconds; the rest is filled in
 };
 
 struct WrittenResults {

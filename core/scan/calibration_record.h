@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -40,8 +41,12 @@ struct NamedCovariance {
   Eigen::MatrixXd matrix;          // names.size() square
 };
 
-// Everything but the calibration may be missing: other programs write only that.
+// Everything but the calibration may be missing: other programs write only that. A calibration is
+// a record of which nothing else is known.
 struct CalibrationRecord {
+  CalibrationRecord() = default;
+  CalibrationRecord(Calibration known) : calibration(std::move(known)) {}  // implicit on purpose
+
   Calibration calibration;
   std::string date;    // ISO 8601, empty when nobody said
   std::string target;  // its name

@@ -7,7 +7,8 @@
 
 namespace gyre {
 
-// What stands still around the table, in one view against the first one.
+// What stands still around the table, in one view against the first one; or what lies on the
+// platter, against where the table's turning has it.
 struct ViewDrift {
   int view = 0;
   bool judged = false;    // enough of it was seen to tell
@@ -17,15 +18,19 @@ struct ViewDrift {
 };
 
 struct DriftReport {
-  std::vector<ViewDrift> views;  // in the order in which they came
-  std::string sentence;          // what they say together; empty before the second view
+  std::vector<ViewDrift> views;    // in the order in which they came
+  std::vector<ViewDrift> platter;  // likewise by its ring of markers; empty where there is none
+  std::string sentence;            // what they say together; empty before the second view
 
-  // The first view that moved, or null. Points into views.
+  // The first view in which anything moved, or null. Points into views or platter.
   const ViewDrift* firstMoved() const {
-    for (const ViewDrift& each : views) {
-      if (each.moved) return &each;
+    const ViewDrift* first = nullptr;
+    for (const auto* list : {&views, &platter}) {
+      for (const ViewDrift& each : *list) {
+        if (each.moved && (first == nullptr || each.view < first->view)) first = &each;
+      }
     }
-    return nullptr;
+    return first;
   }
 };
 

@@ -20,13 +20,14 @@ constexpr int kClutter = 16;
 
 }  // namespace
 
-Background::Background(const RigSettings& rig)
+Background::Background(const RigSettings& rig, const Eigen::Vector3d& push)
     : texture_(hashWords({static_cast<std::uint64_t>(rig.seed), kBackgroundUse}),
                1.6 * rig.texture_finest_mm, std::max(30.0, 4.0 * rig.texture_finest_mm)),
       light_(keyLightInBase(rig)),
       ambient_(rig.ambient_light),
       key_(rig.key_light),
-      platter_radius_mm_(rig.platter_radius_mm) {
+      platter_radius_mm_(rig.platter_radius_mm),
+      platter_in_base_(push) {
   Random random(hashWords({static_cast<std::uint64_t>(rig.seed), kBackgroundUse, 1}));
   for (int i = 0; i < kClutter; ++i) {
     Box box;
@@ -80,9 +81,11 @@ void Background::meetDesk(const Ray& ray, Hit& nearest) const {
 }
 
 void Background::meetPlatterSide(const Ray& ray, Hit& nearest) const {
-  const auto span = crossCylinder(ray, platter_radius_mm_, -kPlatterThickness_mm, 0.0);
+  const Eigen::Vector3d origin = ray.origin - platter_in_base_;
+  const auto span =
+      crossCylinder({origin, ray.direction}, platter_radius_mm_, -kPlatterThickness_mm, 0.0);
   if (!span || span->from <= 0.0 || span->from >= nearest.distance) return;
-  const Eigen::Vector3d at = ray.origin + span->from * ray.direction;
+  const Eigen::Vector3d at = origin + span->from * ray.direction;
   nearest = {span->from, Eigen::Vector3d(at.x(), at.y(), 0.0).normalized(), {0.12F, 0.12F, 0.13F}};
 }
 

@@ -15,7 +15,9 @@ namespace gyre {
 // Immutable: any thread may look.
 class Background {
  public:
-  explicit Background(const RigSettings& rig);
+  // push: how far the table has slid in it. [mm]
+  explicit Background(const RigSettings& rig,
+                      const Eigen::Vector3d& push = Eigen::Vector3d::Zero());
 
   // The light that comes along a ray in the base frame, RGB in [0, 1]. The platter's side is part
   // of it, its top is not.
@@ -44,6 +46,7 @@ class Background {
   double ambient_;
   double key_;
   double platter_radius_mm_;
+  Eigen::Vector3d platter_in_base_;
 };
 
 }  // namespace gyre

@@ -81,13 +81,13 @@ const Mesh& meshOf(const PrintedTarget* target) {
 }  // namespace
 
 Renderer::Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target,
-                   const Calibration& calibration)
+                   const Calibration& calibration, const Eigen::Vector3d& push_in_base)
     : rig_(rig),
       object_(rig),
       target_(std::move(target)),
       scene_(object_.mesh()),
       target_scene_(meshOf(target_.get())),
-      stage_(rig, calibration),
+      stage_(rig, calibration, push_in_base),
       sensor_(rig.blur_sigma_px, rig.noise_sigma, rig.exposure_gain),
       light_in_base_(keyLightInBase(rig)),
       is_smooth_(smoothTriangles(object_.mesh())),

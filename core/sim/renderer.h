@@ -38,8 +38,9 @@ class Renderer {
   // The settings must be valid. target: what rig.target names, made with the same settings; it must
   // be given when the object is a target.
   explicit Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target = nullptr)
-      : Renderer(rig, std::move(target), trueCalibration(rig)) {
-    if (rig.bump_px != 0.0) bumped_.reset(new Renderer(rig, target_, bumpedCalibration(rig)));
+      : Renderer(rig, std::move(target), trueCalibration(rig), Eigen::Vector3d::Zero()) {
+    if (rig.bump_px == 0.0 && rig.push_mm == 0.0) return;
+    bumped_.reset(new Renderer(rig, target_, bumpedCalibration(rig), pushInBase(rig)));
   }
 
   // The picture after so many commanded steps. A function of the rig's settings and the arguments
@@ -73,7 +74,7 @@ class Renderer {
   };
 
   Renderer(const RigSettings& rig, std::shared_ptr<const PrintedTarget> target,
-           const Calibration& calibration);
+           const Calibration& calibration, const Eigen::Vector3d& push_in_base);
   bool targetIsObject() const { return rig_.object == "target"; }
   View viewAt(std::int64_t steps, TableLoad load) const;
   Hits shoot(const RayPacket& rays, const View& view) const;
@@ -100,7 +101,7 @@ class Renderer {
   std::vector<std::uint8_t>
       is_smooth_;  // per triangle of the object: shade with interpolated normals
   std::vector<std::uint8_t> may_see_object_;  // per pixel, at any angle; or the target
-  std::unique_ptr<const Renderer> bumped_;    // the same rig after a knock; null without one
+  std::unique_ptr<const Renderer> bumped_;    // the same rig after a knock or a push; null without
 };
 
 }  // namespace gyre

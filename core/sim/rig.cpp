@@ -102,8 +102,13 @@ Calibration bumpedCalibration(const RigSettings& rig) {
 }
 
 bool isBumped(const RigSettings& rig, std::int64_t steps) {
-  return rig.bump_px != 0.0 &&
+  return (rig.bump_px != 0.0 || rig.push_mm != 0.0) &&
          360.0 * static_cast<double>(steps) >= rig.bump_at_deg * rig.steps_per_turn;
+}
+
+Eigen::Vector3d pushInBase(const RigSettings& rig) {
+  // The camera looks along the base's x axis from its positive side.
+  return {0.0, rig.push_mm, 0.0};
 }
 
 double trueAngleRad(const RigSettings& rig, std::int64_t steps) {

@@ -53,7 +53,8 @@ struct RigSettings {
   double blur_sigma_px = 0.8;
 
   double bump_px = 0.0;        // somebody knocks the camera aside: the picture moves by so much
-  double bump_at_deg = 180.0;  // from where on the table, as commanded, it stays knocked aside
+  double push_mm = 0.0;        // somebody pushes the table: it slides to the camera's right
+  double bump_at_deg = 180.0;  // from where on the table, as commanded, both stay so
 
   int steps_per_turn = 3200;
   double firmware_steps_per_turn = 0.0;  // what its board believes; 0 = the truth
@@ -78,7 +79,10 @@ Calibration trueCalibration(const RigSettings& rig);
 
 // The camera of trueCalibration() once it has been knocked aside by bump_px, about its own centre.
 Calibration bumpedCalibration(const RigSettings& rig);
-bool isBumped(const RigSettings& rig, std::int64_t steps);
+bool isBumped(const RigSettings& rig, std::int64_t steps);  // or pushed
+
+// How far the table slides when it is pushed; the base frame stays where it was.
+Eigen::Vector3d pushInBase(const RigSettings& rig);  // mm
 
 // Where the table truly stands after so many commanded steps; exactly 0 at 0 steps, because the
 // first picture defines the table frame. Nominal angle, scaled, with a once-per-turn and a white
@@ -139,6 +143,7 @@ void RigSettings::describe(V& visit) {
   visit({"noise-sigma", "", 0, 50, "Noise of the sensor in grey levels."}, noise_sigma);
   visit({"blur-sigma", "px", 0, 5, "Blur of the lens."}, blur_sigma_px);
   visit({"bump", "px", -100, 100, "How far somebody knocks the picture aside."}, bump_px);
+  visit({"push", "mm", -50, 50, "How far somebody pushes the table."}, push_mm);
   visit({"bump-at", "deg", -36000, 36000, "Where the table then stands."}, bump_at_deg);
   visit({"steps-per-turn", "", 8, 10000000, "Motor steps a turn."}, steps_per_turn);
   visit({"firmware-steps-per-turn", "", 0, 10000000, "What the board is set up for; 0: the truth."},

@@ -24,21 +24,22 @@ const std::array<Eigen::Vector2d, 4> kSubPixels = {
 
 }  // namespace
 
-Stage::Stage(const RigSettings& rig, const Calibration& calibration)
+Stage::Stage(const RigSettings& rig, const Calibration& calibration,
+             const Eigen::Vector3d& push_in_base)
     : width_px_(rig.image_width_px),
       platter_texture_(hashWords({static_cast<std::uint64_t>(rig.seed), kPlatterUse}),
                        2.2 * rig.texture_finest_mm, std::max(16.0, 5.0 * rig.texture_finest_mm)),
       platter_light_(static_cast<float>(rig.ambient_light +
                                         rig.key_light * std::max(0.0, keyLightInBase(rig).z()))) {
   const Rigid3 base_from_cam = calibration.cam_from_table->inverse();
-  camera_in_base_ = base_from_cam.translation;
+  camera_in_base_ = base_from_cam.translation - push_in_base;
   const auto pixels =
       static_cast<std::size_t>(rig.image_width_px) * static_cast<std::size_t>(rig.image_height_px);
   direction_.resize(pixels);
   coverage_.resize(pixels);
   platter_point_in_base_.resize(pixels);
   background_.resize(pixels);
-  const Background background(rig);
+  const Background background(rig, push_in_base);
   const auto cast_pixel = [&](int x, int y) {
     const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px_) +
                               static_cast<std::size_t>(x);
@@ -59,7 +60,7 @@ Stage::Stage(const RigSettings& rig, const Calibration& calibration)
       if (camera_in_base_.z() > 0.0 && at && at->head<2>().norm() <= rig.platter_radius_mm) {
         ++on_platter;
       } else {
-        sum += background.radiance({camera_in_base_, direction});
+        sum += background.radiance({base_from_cam.translation, direction});
       }
     }
     const int beside = static_cast<int>(kSubPixels.size()) - on_platter;

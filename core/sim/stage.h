@@ -16,10 +16,13 @@ namespace gyre {
 // Immutable: any thread may paint.
 class Stage {
  public:
-  // calibration: where the camera stands, which a bump changes.
-  Stage(const RigSettings& rig, const Calibration& calibration);
+  // calibration: where the camera stands, which a bump changes. push_in_base: how far the table has
+  // slid away under it. [mm]
+  Stage(const RigSettings& rig, const Calibration& calibration,
+        const Eigen::Vector3d& push_in_base = Eigen::Vector3d::Zero());
 
-  // Direction of a pixel's ray in the base frame, unit along the optical axis.
+  // Direction of a pixel's ray in the base frame, unit along the optical axis. The base goes with
+  // the table when that slides.
   const Eigen::Vector3f& direction(std::size_t pixel) const { return direction_[pixel]; }
   const Eigen::Vector3d& cameraInBase() const { return camera_in_base_; }
 

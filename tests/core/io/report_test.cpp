@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "core/base/units.h"
 #include "core/io/json_text.h"
 #include "tests/support/temp_dir.h"
 
@@ -38,6 +39,12 @@ Report sampleReport() {
   report.options = {{"window", "21"}};
   report.drift.views = {{0, true, 0.02, 0.01, false}, {1, false}, {2, true, 1.5, 0.02, true}};
   report.drift.sentence = "It was bumped.";
+  report.drift.platter = {{0, true, 0.125, 0.01, false}};
+  report.turning = TurningReport{{{0, "view_0000.png", true, 0.0, 0.0, radFromDeg(0.25), false},
+                                  {1, "view_0001.png", false, 0.5, 0.5, 0.0, false}},
+                                 radFromDeg(0.5),
+                                 radFromDeg(0.75),
+                                 "It turned well."};
   report.inputs = {{"calibration", "rig.json"}};
   return report;
 }
@@ -72,6 +79,13 @@ TEST(ReportJson, HoldsEveryPublishedKey) {
                           "\"sentence\": \"It was bumped.\"",
                           "\"px\": 1.5",
                           "\"px\": null",
+                          "\"platter\": [",
+                          "\"px\": 0.125",
+                          "\"turning\": {",
+                          "\"rms_off_deg\": 0.5",
+                          "\"worst_off_deg\": 0.75",
+                          "\"sigma_deg\": 0.25",
+                          "\"sigma_deg\": null",
                           "\"options\": {",
                           "\"inputs\": {",
                           "\"calibration\": \"rig.json\""}) {
@@ -89,6 +103,7 @@ TEST(ReportJson, IsJsonWhateverIsUnknown) {
   EXPECT_THAT(json, HasSubstr("\"rms_px\": null"));
   EXPECT_THAT(json, HasSubstr("\"closure_px\": 0.4"));
   EXPECT_THAT(json, HasSubstr("\"seconds\": {}"));
+  EXPECT_THAT(json, HasSubstr("\"turning\": null"));
   EXPECT_THAT(json, HasSubstr("\"p50\": null"));
 }
 

@@ -95,6 +95,21 @@ TEST(ScanStore, ReplacesAViewThatIsTakenAgain) {
   EXPECT_THAT(numbersOf(*ScanStore::open(dir / "duck")), ElementsAre(0));
 }
 
+TEST(ScanStore, KeepsAllThatTheCalibrationKnows) {
+  const TempDir dir;
+  CalibrationRecord record(someCalibration());
+  record.target = "ring";
+  record.table_from_target = Rigid3{};
+  record.table_from_target->translation = {1.0, -2.0, 0.0};
+  record.points_in_target = {{3.0, 4.0, 5.0}};
+  ASSERT_TRUE(ScanStore::create(dir / "duck", settingsFor(2), record));
+  const auto store = ScanStore::open(dir / "duck");
+  ASSERT_TRUE(store) << store.error().sentence();
+  EXPECT_EQ(store->calibrationRecord().target, "ring");
+  EXPECT_EQ(store->calibrationRecord().table_from_target->translation.y(), -2.0);
+  EXPECT_EQ(store->calibrationRecord().points_in_target, record.points_in_target);
+}
+
 TEST(ScanStore, KeepsTheEmptyTable) {
   const TempDir dir;
   auto store = ScanStore::create(dir / "duck", settingsFor(2), someCalibration());

@@ -221,5 +221,34 @@ TEST(Renderer, AKnockMovesThePictureFromItsAngleOn) {
   EXPECT_LT(differenceWhenMoved(still, moved, 3), 0.3 * differenceWhenMoved(still, moved, 0));
 }
 
+TEST(Renderer, APushMovesTheTableAndNothingElse) {
+  RigSettings pushed = quietRenderer().rig();
+  pushed.push_mm = 4.0;
+  pushed.bump_at_deg = 90.0;
+  const Renderer renderer(pushed);
+  const int quarter = pushed.steps_per_turn / 4;
+  EXPECT_TRUE(samePictures(renderer.render(quarter - 1, TableLoad::kObject),
+                           quietRenderer().render(quarter - 1, TableLoad::kObject)));
+  const Frame still = quietRenderer().render(quarter, TableLoad::kObject);
+  const Frame moved = renderer.render(quarter, TableLoad::kObject);
+  const cv::Rect corner(20, 10, 60, 40);  // above the platter
+  EXPECT_EQ(cv::norm(still.image_bgr(corner), moved.image_bgr(corner), cv::NORM_INF), 0.0);
+  // The object is where the camera sees it when that steps as far to its other side.
+  const auto before = quietRenderer().truePixels(quarter, TableLoad::kObject);
+  const auto after = renderer.truePixels(quarter, TableLoad::kObject);
+  const auto middleOf = [&](const std::vector<TruePixel>& pixels) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      if (pixels[i].surface != Surface::kObject) continue;
+      sum += static_cast<double>(i % static_cast<std::size_t>(pushed.image_width_px));
+      ++count;
+    }
+    return sum / count;
+  };
+  const double px_per_mm = pushed.focal_px / pushed.camera_distance_mm;
+  EXPECT_NEAR(middleOf(after) - middleOf(before), 4.0 * px_per_mm, 1.0 * px_per_mm);
+}
+
 }  // namespace
 }  // namespace gyre
