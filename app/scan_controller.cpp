@@ -299,7 +299,9 @@ void ScanController::shutDown() {
 }
 
 void ScanController::noteIdle() {
-  if (shutting_down_ && !devices_.busy() && !compute_jobs_.busy()) Q_EMIT quiet();
+  if (devices_.busy() || compute_jobs_.busy()) return;
+  Q_EMIT rested();
+  if (shutting_down_) Q_EMIT quiet();
 }
 
 }  // namespace gyre

@@ -76,6 +76,7 @@ class ScanController final : public QObject {
   void noticed(const QString& what, const QString& more);
   void logged(const QString& line);
   void quiet();
+  void rested();  // no job goes on any more
 
  private:
   struct Live;     // what the threads of a running scan share

@@ -200,6 +200,7 @@ void Workbench::wireFacts() {
               window_.work_page->job_bar->showProgress(fraction, stage);
             }
           });
+  connect(&controller_, &ScanController::rested, page->job_bar, &JobBar::showRest);
   connect(&controller_, &ScanController::calibrationKnown, this,
           [this, page](const CalibrationRecord& record, const QString& source) {
             page->calibration_panel->showCalibration(record, source);

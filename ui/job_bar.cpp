@@ -87,6 +87,7 @@ void JobBar::showPhase(ScanPhase phase) {
 }
 
 void JobBar::showFacts(const ScanFacts& facts) {
+  facts_ = facts;
   const QString none("–");
   const bool any = facts.views > 0;
   view_->setText(any ? QString("%1 / %2").arg(facts.views_done).arg(facts.views) : none);
@@ -102,6 +103,11 @@ void JobBar::showFacts(const ScanFacts& facts) {
 void JobBar::showProgress(double fraction, const QString& stage) {
   bar_->setValue(static_cast<int>(1000.0 * fraction));
   stage_->setText(stage);
+}
+
+void JobBar::showRest() {
+  showPhase(phase_);
+  showFacts(ScanFacts(facts_));
 }
 
 QString phaseText(ScanPhase phase) {

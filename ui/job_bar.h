@@ -23,6 +23,8 @@ class JobBar final : public QFrame {
   void showFacts(const gyre::ScanFacts& facts);
   // Progress of other work: fraction in [0, 1].
   void showProgress(double fraction, const QString& stage);
+  // That work is over: the scan's own phase and facts again.
+  void showRest();
 
  Q_SIGNALS:
   void startRequested();
@@ -44,6 +46,7 @@ class JobBar final : public QFrame {
   QPushButton* pause_;
   QPushButton* stop_;
   ScanPhase phase_ = ScanPhase::kIdle;
+  ScanFacts facts_;
 };
 
 // The phase in words for people.

@@ -38,9 +38,19 @@ bool assign(const Option& option, const nlohmann::json& value) {
       option.field);
 }
 
-Error badRig(const std::string& what) {
-  return {Error::Code::kInvalidInput, what,
-          "Compare with the rig in the truth.json of a `gyre demo`."};
+Error badRig(
+    const std::string& what,
+    const std::string& advice = "Compare with the rig in the truth.json of a `gyre demo`.") {
+  return {Error::Code::kInvalidInput, what, advice};
+}
+
+// The words of the command line are written with hyphens, the keys of the file are not.
+Error unknownKey(const std::string& key, const OptionList& list) {
+  const std::string what = "The rig file has an unknown key '" + key + "'.";
+  for (const Option& option : list.options()) {
+    if (option.info.name == key) return badRig(what, "Write it as '" + keyOf(option) + "'.");
+  }
+  return badRig(what);
 }
 
 }  // namespace
@@ -64,8 +74,7 @@ Result<RigSettings> rigFromJson(const std::string& text, const RigSettings& base
     const std::string& key = entry.key();
     const auto option = std::find_if(list.options().begin(), list.options().end(),
                                      [&](const Option& each) { return keyOf(each) == key; });
-    if (option == list.options().end())
-      return badRig("The rig file has an unknown key '" + key + "'.");
+    if (option == list.options().end()) return unknownKey(key, list);
     if (!assign(*option, entry.value()))
       return badRig("The rig file's value of '" + key + "' does not fit.");
   }

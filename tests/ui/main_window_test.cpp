@@ -11,6 +11,8 @@
 
 #include <QAbstractButton>
 #include <QAccessible>
+#include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -82,6 +84,23 @@ TEST_F(MainWindowTest, OffersOnlyWhatIsPossible) {
   EXPECT_TRUE(button(bar, "Stop")->isEnabled());
   window_.showPhase(ScanPhase::kPaused);
   EXPECT_NE(button(bar, "Resume"), nullptr);
+}
+
+TEST_F(MainWindowTest, ShowsTheScanAgainWhenOtherWorkIsOver) {
+  JobBar& bar = *window_.work_page->job_bar;
+  const auto says = [&](const QString& text) {
+    const auto labels = bar.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->text() == text; });
+  };
+  const auto* progress = bar.findChild<QProgressBar*>();
+  window_.showPhase(ScanPhase::kReady);
+  bar.showProgress(0.95, "Judging the result");
+  EXPECT_TRUE(says("Judging the result"));
+  bar.showRest();
+  EXPECT_FALSE(says("Judging the result"));
+  EXPECT_TRUE(says("Ready to scan"));
+  EXPECT_EQ(progress->value(), 0);
 }
 
 TEST_F(MainWindowTest, PausesAndResumesBySpace) {

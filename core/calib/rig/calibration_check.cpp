@@ -189,7 +189,7 @@ Result<CalibrationCheck> checkCalibration(const Calibration& calibration,
   check.size_share = std::cbrt(similar.topLeftCorner<3, 3>().determinant()) - 1.0;
   check.sentence = text("%zu points of \"", check.points) + target.name +
                    text("\" were measured to %.3f mm; its size came out %+.3f %% off.",
-                        check.error_mm, 100.0 * check.size_share);
+                        check.error_mm, std::round(1e5 * check.size_share) / 1e3 + 0.0);
   return check;
 }
 

@@ -38,5 +38,11 @@ TEST(RigJson, RefusesEachKindOfNonsenseWithASentence) {
   }
 }
 
+TEST(RigJson, KnowsAKeyThatIsWrittenAsOnTheCommandLine) {
+  const auto read = rigFromJson(R"({"camera-elevation": 15})");
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().advice, "Write it as 'camera_elevation'.");
+}
+
 }  // namespace
 }  // namespace gyre
