@@ -14,6 +14,7 @@ constexpr double kMargin_px = 12.0;
 constexpr double kCorner_px = 2.0;
 constexpr double kDone_px = 4.0;
 constexpr double kAsked_px = 8.0;
+const QColor kInk(0x50, 0x54, 0x5a);  // paler than print, so that the marks stand out
 
 }  // namespace
 
@@ -37,13 +38,24 @@ void TargetDrawing::paintEvent(QPaintEvent*) {
     return QPointF(0.5 * width() + side * (place.x() - 0.5),
                    0.5 * height() + side * (place.y() - 0.5));
   };
-  painter.setPen(QPen(colours.muted, 1.0));
-  painter.setBrush(colours.card);
+  const auto polygonOf = [&](const std::vector<Eigen::Vector2d>& outline) {
+    QPolygonF polygon;
+    for (const Eigen::Vector2d& place : outline) polygon << at(place);
+    return polygon;
+  };
   for (const TargetSketch::Face& face : sketch_.faces) {
-    QPolygonF outline;
-    for (const Eigen::Vector2d& place : face.outline) outline << at(place);
-    painter.drawPolygon(outline);
+    painter.setPen(QPen(colours.muted, 1.0));
+    painter.setBrush(Qt::white);  // paper, whatever the theme
+    painter.drawPolygon(polygonOf(face.outline));
+    painter.setPen(Qt::NoPen);
+    for (const TargetSketch::Area& area : face.print) {
+      painter.setBrush(area.dark ? kInk : QColor(Qt::white));
+      painter.drawPolygon(polygonOf(area.outline));
+    }
   }
+  // Where squares are drawn, their corners are seen.
+  const bool plain = std::all_of(sketch_.faces.begin(), sketch_.faces.end(),
+                                 [](const auto& face) { return face.print.empty(); });
   for (const TargetSketch::Corner& corner : sketch_.corners) {
     const auto found =
         std::find(sketch_.to_click.begin(), sketch_.to_click.end(), corner.corner_id);
@@ -59,7 +71,7 @@ void TargetDrawing::paintEvent(QPaintEvent*) {
       painter.setPen(QPen(colours.accent, 2.5));
       painter.drawEllipse(at(corner.place), kAsked_px, kAsked_px);
       painter.drawPoint(at(corner.place));
-    } else {
+    } else if (plain) {
       painter.drawEllipse(at(corner.place), kCorner_px, kCorner_px);
     }
   }

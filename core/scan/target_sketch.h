@@ -10,8 +10,13 @@ namespace gyre {
 
 // Places are in [0, 1], x to the right, y down, at the same scale.
 struct TargetSketch {
-  struct Face {
+  struct Area {
     std::vector<Eigen::Vector2d> outline;  // corners of a convex polygon, in turn
+    bool dark = false;
+  };
+  struct Face {
+    std::vector<Eigen::Vector2d> outline;  // likewise
+    std::vector<Area> print;               // squares and marks, each upon those before
   };
   struct Corner {
     int corner_id = 0;

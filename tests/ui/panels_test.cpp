@@ -145,7 +145,7 @@ TEST(LogPanel, KeepsEachLineInItsOrder) {
 
 TEST(TargetDrawing, RingsTheCornerThatIsAskedFor) {
   TargetSketch sketch;
-  sketch.faces.push_back({{{0.1, 0.1}, {0.9, 0.1}, {0.9, 0.9}, {0.1, 0.9}}});
+  sketch.faces.emplace_back().outline = {{0.1, 0.1}, {0.9, 0.1}, {0.9, 0.9}, {0.1, 0.9}};
   for (int i = 0; i < 6; ++i) {
     sketch.corners.push_back({i, {0.2 + 0.1 * i, 0.5}});
     sketch.to_click.push_back(i);

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/units.h"
+#include "core/calib/match/face_print.h"
 #include "core/calib/match/target_face.h"
 
 namespace gyre {
@@ -54,6 +55,21 @@ std::array<Eigen::Vector3d, 4> outlineOf(const TargetFace& face) {
           face.pointAt({low.x(), high.y()})};
 }
 
+TargetSketch::Face drawnBy(const Eye& eye, const Target& target, const TargetFace& face) {
+  TargetSketch::Face drawn;
+  for (const Eigen::Vector3d& point : outlineOf(face)) drawn.outline.push_back(eye.at(point));
+  for (const PrintedArea& printed : printOf(target, face)) {
+    TargetSketch::Area area;
+    area.dark = printed.dark;
+    area.outline.reserve(printed.outline_in_target.size());
+    for (const Eigen::Vector3d& point : printed.outline_in_target) {
+      area.outline.push_back(eye.at(point));
+    }
+    drawn.print.push_back(std::move(area));
+  }
+  return drawn;
+}
+
 // The seen faces, the best first.
 std::vector<const TargetFace*> seenFaces(const std::vector<TargetFace>& faces, const Eye& eye) {
   std::vector<const TargetFace*> seen;
@@ -97,9 +113,8 @@ TargetSketch sketchOf(const Target& target) {
   TargetSketch sketch;
   Eigen::AlignedBox2d box;
   for (auto face = seen.rbegin(); face != seen.rend(); ++face) {
-    auto& outline = sketch.faces.emplace_back().outline;
-    for (const Eigen::Vector3d& point : outlineOf(**face)) outline.push_back(eye.at(point));
-    for (const Eigen::Vector2d& place : outline) box.extend(place);
+    sketch.faces.push_back(drawnBy(eye, target, **face));
+    for (const Eigen::Vector2d& place : sketch.faces.back().outline) box.extend(place);
     for (const auto& corner : (*face)->corners) {
       const auto& point = points[static_cast<std::size_t>(corner.point)];
       sketch.corners.push_back({point.corner_id, eye.at((*face)->pointAt(corner.place_mm))});
@@ -110,8 +125,11 @@ TargetSketch sketchOf(const Target& target) {
   const auto normalised = [&](Eigen::Vector2d& place) {
     place = (place - box.center()) / side + Eigen::Vector2d(0.5, 0.5);
   };
-  for (auto& face : sketch.faces)
+  for (auto& face : sketch.faces) {
     std::for_each(face.outline.begin(), face.outline.end(), normalised);
+    for (auto& area : face.print)
+      std::for_each(area.outline.begin(), area.outline.end(), normalised);
+  }
   for (auto& corner : sketch.corners) normalised(corner.place);
 
   const std::size_t used = std::min(seen.size(), kMostFaces);
