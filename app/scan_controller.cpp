@@ -65,7 +65,7 @@ void ScanController::devicesOpened(const TurntableInfo& turntable) {
   empty_table_.reset();
   const SimulatedRoom* room = devices_.rig()->room.get();
   if (room != nullptr && room->camera != nullptr) {
-    know(trueCalibration(room->settings), tr("The simulated rig's own calibration."));
+    know(trueRecord(room->settings), {}, tr("The simulated rig's own calibration."));
   }
   setPhase(ScanPhase::kReady);
 }
@@ -73,12 +73,6 @@ void ScanController::devicesOpened(const TurntableInfo& turntable) {
 void ScanController::devicesClosed() {
   Q_EMIT logged(tr("Disconnected"));
   setPhase(ScanPhase::kIdle);
-}
-
-void ScanController::know(const Calibration& calibration, const QString& source) {
-  CalibrationRecord record;
-  record.calibration = calibration;
-  know(std::move(record), {}, source);
 }
 
 void ScanController::know(CalibrationRecord record, const std::filesystem::path& reference,

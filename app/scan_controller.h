@@ -83,7 +83,6 @@ class ScanController final : public QObject {
   struct Outcome;  // what a finished job leaves
 
   void setPhase(ScanPhase phase);
-  void know(const Calibration& calibration, const QString& source);
   void know(CalibrationRecord record, const std::filesystem::path& reference,
             const QString& source);
   void devicesOpened(const TurntableInfo& turntable);

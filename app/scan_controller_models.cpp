@@ -93,7 +93,7 @@ void ScanController::openModel(const std::filesystem::path& scan_or_file) {
         cloud_ = opened->cloud;
         mesh_ = opened->mesh;
         if (opened->calibration) {
-          know(*opened->calibration, tr("From the opened scan."));
+          know(*opened->calibration, {}, tr("From the opened scan."));
         }
         facts_ = {};
         facts_.views = opened->views;

@@ -117,7 +117,7 @@ Result<OpenedModel> openScanOrModel(const std::filesystem::path& path, const Tas
     const auto store = ScanStore::open(path);
     if (!store) return store.error();
     opened.scan_folder = store->folder();
-    opened.calibration = store->calibration();
+    opened.calibration = store->calibrationRecord();
     opened.views = store->settings().views;
     opened.views_done = static_cast<int>(store->views().size());
     points = opened.scan_folder / "points.ply";

@@ -51,7 +51,7 @@ struct OpenedModel {
   PointCloudPtr cloud;                // null when there is none
   MeshPtr mesh;
   MeshHealth health;
-  std::optional<Calibration> calibration;
+  std::optional<CalibrationRecord> calibration;
   int views = 0;
   int views_done = 0;
 };

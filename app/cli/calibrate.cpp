@@ -177,8 +177,9 @@ int run(const Words& words, Console& console, const Task& task) {
 
 void addPictureWords(CLI::App& command, Words& words) {
   command.add_option("pictures", words.pictures, "Folder of pictures of the turning target");
-  command.add_option("--target", words.what.target,
-                     "TARGET.json, or the name of a printed target: wedge, coded-cube, cube, flat");
+  command.add_option(
+      "--target", words.what.target,
+      "TARGET.json, or the name of a printed target: wedge, coded-cube, cube, flat, ring");
   command.add_option("--angles", words.angles, "angles.csv: image,angle_deg, if they are known");
   command.add_flag("--hand-held", words.hand_held,
                    "The target was held before the camera: intrinsics alone, no table");

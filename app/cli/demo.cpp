@@ -56,11 +56,7 @@ Result<Reconstruction> scan(Rig& rig, ScanStore& store, const Task& task) {
 // Turns a target on the same rig first, as a user would.
 Result<CalibrationRecord> calibrationOf(const RigSettings& sim, const Words& words,
                                         Console& console, const Task& task) {
-  CalibrationRecord record;
-  if (!words.calibrate) {
-    record.calibration = trueCalibration(sim);
-    return record;
-  }
+  if (!words.calibrate) return trueRecord(sim);
   CalibrationWords what;
   what.target = "wedge";
   const auto setup = calibrationSetup(what);

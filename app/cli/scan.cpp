@@ -60,7 +60,7 @@ Result<Plan> planOf(const Words& words) {
     if (!calibration) return calibration.error();
     plan.calibration = std::move(calibration).value();
   } else if (simulated && words.settings.camera == "sim") {
-    plan.calibration.calibration = trueCalibration(plan.options.sim);
+    plan.calibration = trueRecord(plan.options.sim);
   } else {
     return Error{Error::Code::kInvalidInput, "A real rig cannot be measured with uncalibrated.",
                  "Give its calibration with --calibration FILE."};

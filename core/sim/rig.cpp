@@ -89,6 +89,14 @@ Calibration trueCalibration(const RigSettings& rig) {
   return calibration;
 }
 
+CalibrationRecord trueRecord(const RigSettings& rig) {
+  CalibrationRecord record(trueCalibration(rig));
+  if (rig.object == "target" || rig.target.empty()) return record;
+  record.target = rig.target;
+  record.table_from_target = tableFromTarget(rig);
+  return record;
+}
+
 Calibration bumpedCalibration(const RigSettings& rig) {
   Calibration calibration = trueCalibration(rig);
   // A camera that turns to its left by an angle sees everything f * angle further right.

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "core/base/result.h"
-#include "core/scan/calibration.h"
+#include "core/scan/calibration_record.h"
 
 namespace gyre {
 
@@ -76,6 +76,9 @@ RigSettings atImageWidth(RigSettings rig, int width_px);
 
 // The camera as it truly is; the table's x axis points towards it at angle 0.
 Calibration trueCalibration(const RigSettings& rig);
+
+// The same with the target that lies under the object, such as a ring: its name and place.
+CalibrationRecord trueRecord(const RigSettings& rig);
 
 // The camera of trueCalibration() once it has been knocked aside by bump_px, about its own centre.
 Calibration bumpedCalibration(const RigSettings& rig);

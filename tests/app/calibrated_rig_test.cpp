@@ -30,20 +30,12 @@ Rig opened(const RigOptions& options) {
   return std::move(*rig);
 }
 
-CalibrationRecord truthOf(const RigOptions& options) {
-  CalibrationRecord record;
-  record.calibration = trueCalibration(options.sim);
-  record.target = options.sim.target;
-  record.table_from_target = tableFromTarget(options.sim);
-  return record;
-}
-
 TEST(CalibratedRig, TurnsTheTableAsItWasMeasured) {
   RigOptions options = duckRig();
   options.sim.firmware_steps_per_turn = 2.0 * options.sim.steps_per_turn;
   options.sim.motor_direction = -1;
   const Rig rig = opened(options);
-  CalibrationRecord record = truthOf(options);
+  CalibrationRecord record = trueRecord(options.sim);
   const TurntableInfo info = rig.turntable->info();
   record.turntable = CalibratedTurntable{info.device_id, info.axis, 180.0, -1};
   const auto remarks = applyCalibration(rig, record);
@@ -60,7 +52,7 @@ TEST(CalibratedRig, TurnsTheTableAsItWasMeasured) {
 TEST(CalibratedRig, TellsThatTheTurntableIsAnother) {
   const RigOptions options = duckRig();
   const Rig rig = opened(options);
-  CalibrationRecord record = truthOf(options);
+  CalibrationRecord record = trueRecord(options.sim);
   record.turntable = CalibratedTurntable{"another", "X", 180.0, -1};
   const auto remarks = applyCalibration(rig, record);
   ASSERT_TRUE(remarks);
@@ -71,7 +63,7 @@ TEST(CalibratedRig, TellsThatTheTurntableIsAnother) {
 TEST(CalibratedRig, RefusesPicturesOfAnotherSize) {
   const RigOptions options = duckRig();
   const Rig rig = opened(options);
-  CalibrationRecord record = truthOf(options);
+  CalibrationRecord record = trueRecord(options.sim);
   record.calibration.camera.width_px = 640;
   const auto remarks = prepareRig(rig, record, {}, {});
   ASSERT_FALSE(remarks);
@@ -86,30 +78,30 @@ TEST(CalibratedRig, SeesByTheBackgroundThatTheCameraWasMoved) {
     const auto before = rig.camera->grabAfter(steadySeconds(), {});
     ASSERT_TRUE(before);
     ASSERT_TRUE(writePicture(temp / "calibration.png", (*before)->image_bgr));
-    const auto still = lookBeforeScan(rig, truthOf(options), temp / "calibration.png", {});
+    const auto still = lookBeforeScan(rig, trueRecord(options.sim), temp / "calibration.png", {});
     ASSERT_TRUE(still);
     EXPECT_EQ(*still, "");
   }
   options.sim.bump_px = 3.0;
   options.sim.bump_at_deg = 0.0;
   const auto moved =
-      lookBeforeScan(opened(options), truthOf(options), temp / "calibration.png", {});
+      lookBeforeScan(opened(options), trueRecord(options.sim), temp / "calibration.png", {});
   ASSERT_TRUE(moved);
   EXPECT_THAT(*moved, HasSubstr("The camera has moved"));
   // Without the picture nothing can be said.
-  EXPECT_EQ(*lookBeforeScan(opened(options), truthOf(options), temp / "gone.png", {}), "");
+  EXPECT_EQ(*lookBeforeScan(opened(options), trueRecord(options.sim), temp / "gone.png", {}), "");
 }
 
 TEST(CalibratedRig, SeesByTheRingThatCameraOrTableWereMoved) {
   RigOptions options = duckRig("ring");
   const Rig rig = opened(options);
   ASSERT_TRUE(rig.turntable->moveTo(1.0, {}));  // at whatever angle
-  const auto still = lookBeforeScan(rig, truthOf(options), {}, {});
+  const auto still = lookBeforeScan(rig, trueRecord(options.sim), {}, {});
   ASSERT_TRUE(still) << still.error().sentence();
   EXPECT_EQ(*still, "");
 
   // The table was pushed: the camera sees the platter elsewhere than it was.
-  CalibrationRecord pushed = truthOf(options);
+  CalibrationRecord pushed = trueRecord(options.sim);
   pushed.calibration.cam_from_table->translation.x() += 0.5;
   const auto moved = lookBeforeScan(rig, pushed, {}, {});
   ASSERT_TRUE(moved);

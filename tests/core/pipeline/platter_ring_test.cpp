@@ -31,13 +31,6 @@ Renderer rendererOf(const RigSettings& rig) {
   return Renderer(rig, PrintedTarget::make(target->target, rig).value());
 }
 
-CalibrationRecord truthOf(const RigSettings& rig) {
-  CalibrationRecord record(trueCalibration(rig));
-  record.target = rig.target;
-  record.table_from_target = tableFromTarget(rig);
-  return record;
-}
-
 std::int64_t stepsAt(int view) { return 3200 / kViews * view; }
 
 // As the table was told, counting from the scan's first view.
@@ -52,7 +45,7 @@ FramePtr viewOf(const Renderer& renderer, int view, std::int64_t lost_steps = 0)
 TEST(PlatterRing, GivesTheAngleOfEveryView) {
   const RigSettings rig = ringRig();
   const Renderer renderer = rendererOf(rig);
-  auto ring = PlatterRing::of(truthOf(rig));
+  auto ring = PlatterRing::of(trueRecord(rig));
   ASSERT_TRUE(ring);
   double squares = 0.0;
   double told_squares = 0.0;
@@ -87,7 +80,7 @@ TEST(PlatterRing, GivesTheAngleOfEveryView) {
 TEST(PlatterRing, KeepsMeasuringWhenTheMotorLosesSteps) {
   const RigSettings rig = ringRig();
   const Renderer renderer = rendererOf(rig);
-  auto ring = PlatterRing::of(truthOf(rig));
+  auto ring = PlatterRing::of(trueRecord(rig));
   for (int view = 0; view < kViews; ++view) {
     const std::int64_t lost = view < 5 ? 0 : 160;  // 18 deg
     const FramePtr seen = ring->follow(viewOf(renderer, view, lost));
@@ -103,7 +96,7 @@ TEST(PlatterRing, TellsThatTheTableWasPushed) {
   rig.push_mm = 0.5;
   rig.bump_at_deg = 179.0;
   const Renderer renderer = rendererOf(rig);
-  auto ring = PlatterRing::of(truthOf(rig));
+  auto ring = PlatterRing::of(trueRecord(rig));
   for (int view = 0; view < kViews; ++view) {
     const FramePtr seen = ring->follow(viewOf(renderer, view));
     const ViewDrift& drift = ring->drift().back();
@@ -117,7 +110,7 @@ TEST(PlatterRing, TellsThatTheTableWasPushed) {
 TEST(PlatterRing, GivesTheEmptyTablesAngleToo) {
   const RigSettings rig = ringRig();
   const Renderer renderer = rendererOf(rig);
-  auto ring = PlatterRing::of(truthOf(rig));
+  auto ring = PlatterRing::of(trueRecord(rig));
   auto empty = std::make_shared<Frame>(renderer.render(400, TableLoad::kEmpty));
   EXPECT_EQ(ring->withSeenAngle(empty), empty);  // before any view
   static_cast<void>(ring->follow(viewOf(renderer, 0)));
@@ -129,7 +122,7 @@ TEST(PlatterRing, GivesTheEmptyTablesAngleToo) {
 TEST(PlatterRing, IsNotUsedWhereItWasMoved) {
   const RigSettings rig = ringRig();
   const Renderer renderer = rendererOf(rig);
-  CalibrationRecord record = truthOf(rig);
+  CalibrationRecord record = trueRecord(rig);
   record.table_from_target->translation.x() += 1.0;
   auto ring = PlatterRing::of(record);
   for (int view = 0; view < 3; ++view) {
@@ -145,7 +138,7 @@ TEST(PlatterRing, LeavesTheMotorsAnglesWhereItIsNotSeen) {
   RigSettings without = with;
   without.target.clear();
   const Renderer renderer(without);
-  auto ring = PlatterRing::of(truthOf(with));
+  auto ring = PlatterRing::of(trueRecord(with));
   const FramePtr told = viewOf(renderer, 2);
   EXPECT_EQ(ring->follow(told)->table_angle_rad, told->table_angle_rad);
   EXPECT_FALSE(ring->drift().back().judged);
@@ -153,10 +146,10 @@ TEST(PlatterRing, LeavesTheMotorsAnglesWhereItIsNotSeen) {
 }
 
 TEST(PlatterRing, NeedsARecordOfARing) {
-  CalibrationRecord record = truthOf(ringRig());
+  CalibrationRecord record = trueRecord(ringRig());
   record.target = "wedge";
   EXPECT_FALSE(PlatterRing::of(record));
-  record = truthOf(ringRig());
+  record = trueRecord(ringRig());
   record.table_from_target.reset();
   EXPECT_FALSE(PlatterRing::of(record));
   EXPECT_FALSE(PlatterRing::of(CalibrationRecord{}));
