@@ -38,7 +38,7 @@ void TargetDrawing::paintEvent(QPaintEvent*) {
     return QPointF(0.5 * width() + side * (place.x() - 0.5),
                    0.5 * height() + side * (place.y() - 0.5));
   };
-  const auto polygonOf = [&](const std::vector<Eigen::Vector2d>& outline) {
+  const auto polygon_of = [&](const std::vector<Eigen::Vector2d>& outline) {
     QPolygonF polygon;
     for (const Eigen::Vector2d& place : outline) polygon << at(place);
     return polygon;
@@ -46,11 +46,11 @@ void TargetDrawing::paintEvent(QPaintEvent*) {
   for (const TargetSketch::Face& face : sketch_.faces) {
     painter.setPen(QPen(colours.muted, 1.0));
     painter.setBrush(Qt::white);  // paper, whatever the theme
-    painter.drawPolygon(polygonOf(face.outline));
+    painter.drawPolygon(polygon_of(face.outline));
     painter.setPen(Qt::NoPen);
     for (const TargetSketch::Area& area : face.print) {
       painter.setBrush(area.dark ? kInk : QColor(Qt::white));
-      painter.drawPolygon(polygonOf(area.outline));
+      painter.drawPolygon(polygon_of(area.outline));
     }
   }
   // Where squares are drawn, their corners are seen.
