@@ -57,10 +57,9 @@ std::string turningSentence(const TurningReport& report, std::size_t seen) {
   }
   return sentence +
          text(
-             "From view %d on, the table stood %.2f\u00b0 from where it was told to: it lost steps "
-             "or "
-             "was turned by hand. The points are measured at the true angles; to turn evenly, give "
-             "the motor more current, or turn more slowly.",
+             "From view %d on, the table stood %.2f\u00b0 from where it was told to: it lost "
+             "steps or was turned by hand. The points are measured at the true angles; to turn "
+             "evenly, give the motor more current, or turn more slowly.",
              off->view + 1, degFromRad(std::abs(off->angle_rad - off->told_rad)));
 }
 
@@ -110,7 +109,7 @@ FramePtr PlatterRing::follow(const FramePtr& frame) {
   turned.told_rad = frame->table_angle_rad;
   drift_.push_back({});
   drift_.back().view = frame->view;
-  if (!misplaced_) {
+  if (!misplaced_px_) {
     if (const auto sight = look(*frame)) take(*sight, turned);
   }
   turned.angle_rad = turned.told_rad + off_rad_;
@@ -120,7 +119,6 @@ FramePtr PlatterRing::follow(const FramePtr& frame) {
 
 void PlatterRing::take(const Sight& sight, TurnedView& turned) {
   if (!zero_rad_ && sight.drift.moved) {
-    misplaced_ = true;
     misplaced_px_ = sight.drift.px;
     return;
   }
@@ -147,11 +145,11 @@ FramePtr PlatterRing::withSeenAngle(const FramePtr& frame) const {
 TurningReport PlatterRing::turning() const {
   TurningReport report;
   report.views = turned_;
-  if (misplaced_) {
+  if (misplaced_px_) {
     report.sentence = text(
         "The markers on the platter do not lie where they were calibrated (%.1f px off), so the "
         "angles are the motor's own. Calibrate with the ring once more.",
-        misplaced_px_);
+        *misplaced_px_);
     return report;
   }
   std::size_t seen = 0;

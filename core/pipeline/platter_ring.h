@@ -58,10 +58,9 @@ class PlatterRing {
   SoughtTarget sought_;
   Calibration calibration_;
   std::vector<Eigen::Vector3d> points_in_table_;
-  bool misplaced_ = false;          // at its first sight: not used
-  double misplaced_px_ = 0.0;       // by so much
-  std::optional<double> zero_rad_;  // what the ring shows when the scan's angle is 0
-  double off_rad_ = 0.0;            // of the last view that was seen: seen less told
+  std::optional<double> misplaced_px_;  // so far off at its first sight: not used
+  std::optional<double> zero_rad_;      // what the ring shows when the scan's angle is 0
+  double off_rad_ = 0.0;                // of the last view that was seen: seen less told
   std::vector<TurnedView> turned_;
   std::vector<ViewDrift> drift_;
 };
