@@ -5,12 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <string>
 #include <system_error>
 
+#include "core/base/formatted.h"
 #include "core/device/serial_port.h"
 
 namespace gyre {
@@ -26,10 +25,8 @@ std::string usbId(const sp_port* port) {
   int vendor = 0;
   int product = 0;
   if (sp_get_port_usb_vid_pid(port, &vendor, &product) != SP_OK) return {};
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "%04x:%04x", static_cast<unsigned>(vendor) & 0xffffU,
-                static_cast<unsigned>(product) & 0xffffU);
-  return text.data();
+  return formatted("%04x:%04x", static_cast<unsigned>(vendor) & 0xffffU,
+                   static_cast<unsigned>(product) & 0xffffU);
 }
 
 std::string firstLine(const fs::path& file) {

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device/turntable_hindrances.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/formatted.h"
 #include "core/device/protocols/grbl.h"
 
 namespace gyre {
 namespace {
 
-std::string shortNumber(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", value);
-  return text.data();
-}
+std::string shortNumber(double value) { return formatted("%g", value); }
 
 }  // namespace
 

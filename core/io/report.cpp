@@ -2,13 +2,12 @@
 #include "core/io/report.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/formatted.h"
 #include "core/base/units.h"
 #include "core/io/atomic_file.h"
 
@@ -87,11 +86,7 @@ ordered_json turningJson(const TurningReport& turning) {
   return root;
 }
 
-std::string withUnit(double number, const char* unit) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %s", number, unit);
-  return text.data();
-}
+std::string withUnit(double number, const char* unit) { return formatted("%.3g %s", number, unit); }
 
 void appendRow(std::string& html, const std::string& name, const std::string& value) {
   if (value.empty()) return;

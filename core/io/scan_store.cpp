@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <string>
@@ -15,6 +14,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/formatted.h"
 #include "core/io/atomic_file.h"
 #include "core/io/calibration_record_file.h"
 #include "core/io/empty_table_file.h"
@@ -113,18 +113,12 @@ std::string nowUtc() {
   ::gmtime_r(&now.tv_sec, &parts);
   std::array<char, 32> text{};
   const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S", &parts);
-  std::array<char, 8> fraction{};
-  std::snprintf(fraction.data(), fraction.size(), ".%03ldZ", now.tv_nsec / 1'000'000 % 1000);
-  return std::string(text.data(), length) + fraction.data();
+  return std::string(text.data(), length) + formatted(".%03ldZ", now.tv_nsec / 1'000'000 % 1000);
 }
 
 }  // namespace
 
-std::string viewFileName(int view) {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "view_%04d.png", view);
-  return name.data();
-}
+std::string viewFileName(int view) { return formatted("view_%04d.png", view); }
 
 Result<ScanStore> ScanStore::create(const fs::path& folder, const ScanSettings& settings,
                                     const CalibrationRecord& calibration) {

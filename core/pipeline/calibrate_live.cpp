@@ -1,13 +1,12 @@
 // A calibration on a live rig: how the table turns, pictures all around it, the solution.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <system_error>
 #include <utility>
 
 #include "core/base/clock.h"
+#include "core/base/formatted.h"
 #include "core/base/units.h"
 #include "core/io/angles_file.h"
 #include "core/io/picture_file.h"
@@ -25,11 +24,7 @@ constexpr int kTries = 3;  // of one stop of the table
 // A ratio as near to 1 as this is the solver's own uncertainty, not the motor's.
 constexpr double kScaleWorthCorrecting = 5e-4;
 
-std::string pictureName(int picture) {
-  std::array<char, 16> name{};
-  std::snprintf(name.data(), name.size(), "%03d.png", picture + 1);
-  return name.data();
-}
+std::string pictureName(int picture) { return formatted("%03d.png", picture + 1); }
 
 // The pictures of a live calibration, where they are to be kept.
 class Keeper {

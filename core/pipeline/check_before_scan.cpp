@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/check_before_scan.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/formatted.h"
 #include "core/calib/rig/calibration_check.h"
 #include "core/track/drift_monitor.h"
 
@@ -15,12 +14,6 @@ namespace {
 constexpr double kLeast_px = 0.4;
 // Drivers count focus and zoom in steps of their own; read back they may be off by rounding.
 constexpr double kSameSetting = 1e-3;
-
-std::string pxText(double px) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f px", px);
-  return text.data();
-}
 
 std::string sizeText(int width_px, int height_px) {
   return std::to_string(width_px) + "x" + std::to_string(height_px);

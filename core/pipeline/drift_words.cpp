@@ -2,8 +2,9 @@
 #include "core/pipeline/drift_words.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
+
+#include "core/base/formatted.h"
 
 namespace gyre {
 namespace {
@@ -24,13 +25,11 @@ std::string pushedText(const std::vector<ViewDrift>& platter, bool background_st
     if (first < 0) first = each.view;
     most_px = std::max(most_px, each.px);
   }
-  char how[32];
-  std::snprintf(how, sizeof how, most_px < 10.0 ? "%.2g px" : "%.0f px", most_px);
   const std::string what = background_stood_still
                                ? "The turntable was pushed: from view "
                                : "The turntable was pushed or the camera bumped: from view ";
-  return what + std::to_string(first + 1) + " on, the markers on its platter are up to " + how +
-         " off where its turning has them" +
+  return what + std::to_string(first + 1) + " on, the markers on its platter are up to " +
+         pxText(most_px) + " off where its turning has them" +
          (background_stood_still ? ", while all around stands still" : "") +
          ". Fix camera and table, then scan again; if they stay where they are now, calibrate "
          "again first.";

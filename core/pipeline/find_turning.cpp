@@ -2,13 +2,12 @@
 #include "core/pipeline/find_turning.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "core/base/clock.h"
+#include "core/base/formatted.h"
 #include "core/calib/rig/turn_gauge.h"
 
 namespace gyre {
@@ -27,11 +26,7 @@ constexpr double kPlayWorthTelling_rad = radFromDeg(0.15);
 // What an unknown lens may make of a ratio of one.
 constexpr double kAsToldShare = 0.04;
 
-std::string degText(double angle_rad) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g\u00b0", degFromRad(angle_rad));
-  return text.data();
-}
+std::string degText(double angle_rad) { return formatted("%.2g\u00b0", degFromRad(angle_rad)); }
 
 Error nothingMoves(double told_rad) {
   return {Error::Code::kRejected,
@@ -240,11 +235,9 @@ FoundTurning TurningFinder::Search::conclude() const {
   if (std::abs(found.turned_over_told - 1.0) < kAsToldShare) {
     found.turned_over_told = 1.0;
   } else {
-    std::array<char, 32> ratio{};
-    std::snprintf(ratio.data(), ratio.size(), "%.3g", std::abs(found.turned_over_told));
-    found.remarks.push_back(std::string("For each degree it is told the table turns ") +
-                            ratio.data() + (found.turned_over_told < 0.0 ? " clockwise" : "") +
-                            ": this is put right.");
+    found.remarks.push_back(formatted(
+        "For each degree it is told the table turns %.3g%s: this is put right.",
+        std::abs(found.turned_over_told), found.turned_over_told < 0.0 ? " clockwise" : ""));
   }
   return found;
 }

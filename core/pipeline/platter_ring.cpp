@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
+#include "core/base/formatted.h"
 #include "core/base/units.h"
 #include "core/calib/rig/ring_place.h"
 #include "core/calib/targets/standard_targets.h"
@@ -22,13 +22,6 @@ constexpr double kLeastMoved_sigma = 5.0;
 constexpr double kMostSigma_rad = radFromDeg(0.05);
 // No motor errs by so much; a table that is off by more lost steps, or was turned by hand.
 constexpr double kOffCourse_rad = radFromDeg(1.0);
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[320];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 std::vector<Eigen::Vector3d> pointsInTable(const CalibrationRecord& record, const Target& ring) {
   std::vector<Eigen::Vector3d> points;
@@ -47,16 +40,16 @@ FramePtr atAngle(const FramePtr& frame, double angle_rad) {
 std::string turningSentence(const TurningReport& report, std::size_t seen) {
   const std::size_t views = report.views.size();
   std::string sentence =
-      text("The markers on the platter gave the angle of %zu of %zu views. ", seen, views);
+      formatted("The markers on the platter gave the angle of %zu of %zu views. ", seen, views);
   const auto off = std::find_if(report.views.begin(), report.views.end(),
                                 [](const TurnedView& each) { return each.off_course; });
   if (off == report.views.end()) {
     return sentence +
-           text("The table stood within %.3f\u00b0 of where it was told to (rms %.3f\u00b0).",
-                degFromRad(report.worst_off_rad), degFromRad(report.rms_off_rad));
+           formatted("The table stood within %.3f\u00b0 of where it was told to (rms %.3f\u00b0).",
+                     degFromRad(report.worst_off_rad), degFromRad(report.rms_off_rad));
   }
   return sentence +
-         text(
+         formatted(
              "From view %d on, the table stood %.2f\u00b0 from where it was told to: it lost "
              "steps or was turned by hand. The points are measured at the true angles; to turn "
              "evenly, give the motor more current, or turn more slowly.",
@@ -146,7 +139,7 @@ TurningReport PlatterRing::turning() const {
   TurningReport report;
   report.views = turned_;
   if (misplaced_px_) {
-    report.sentence = text(
+    report.sentence = formatted(
         "The markers on the platter do not lie where they were calibrated (%.1f px off), so the "
         "angles are the motor's own. Calibrate with the ring once more.",
         *misplaced_px_);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sim/grbl_settings.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "core/base/check.h"
+#include "core/base/formatted.h"
 
 namespace gyre {
 namespace {
@@ -34,11 +33,7 @@ std::optional<Number> numberIn(std::string_view text) {
 
 }  // namespace
 
-std::string fixedText(double value, int decimals) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
-}
+std::string fixedText(double value, int decimals) { return formatted("%.*f", decimals, value); }
 
 // GRBL's defaults, but for a motor that stays energised ($1) and for the X axis.
 GrblSettings::GrblSettings(const TurntableFirmwareOptions& options)

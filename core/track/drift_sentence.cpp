@@ -2,17 +2,11 @@
 #include "core/track/drift_sentence.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+
+#include "core/base/formatted.h"
 
 namespace gyre {
 namespace {
-
-std::string pxText(double px) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), px < 10.0 ? "%.2g px" : "%.0f px", px);
-  return text.data();
-}
 
 std::string viewText(const ViewDrift& drift) { return std::to_string(drift.view + 1); }
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <Eigen/Dense>
 
+#include "core/base/formatted.h"
 #include "core/base/units.h"
 
 namespace gyre {
@@ -188,9 +188,7 @@ std::vector<AngleJump> jumpsOf(const std::vector<double>& angles_rad,
 }
 
 std::string degrees(double angle_rad) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f deg", degFromRad(std::abs(angle_rad)));
-  return text;
+  return formatted("%.2f deg", degFromRad(std::abs(angle_rad)));
 }
 
 }  // namespace
@@ -255,9 +253,8 @@ std::vector<std::string> sentencesOf(const AnglePattern& pattern,
                         " a step: it was stopped, started again or moved by hand there.");
   }
   for (const AngleRipple& ripple : pattern.ripples) {
-    char pictures[48];
-    std::snprintf(pictures, sizeof pictures, "%.1f pictures",
-                  ripple.period_rad / std::max(std::abs(pattern.step_rad), 1e-12));
+    const std::string pictures =
+        formatted("%.1f pictures", ripple.period_rad / std::max(std::abs(pattern.step_rad), 1e-12));
     sentences.push_back("The angle ripples by +-" + degrees(ripple.amplitude_rad) +
                         " with a period of " + degrees(ripple.period_rad) + " (" + pictures +
                         "): uneven steps of the motor or its gears.");

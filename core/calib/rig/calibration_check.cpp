@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include <Eigen/Dense>
 
+#include "core/base/formatted.h"
 #include "core/calib/rig/rig_problem.h"
 #include "core/calib/rig/rig_refusals.h"
 #include "core/calib/rig/rig_start.h"
@@ -23,13 +23,6 @@ constexpr double kLeastArc_rad = radFromDeg(20.0);
 constexpr double kOtherTarget = 0.02;  // share of the picture's width by which others are off
 constexpr int kNewtonSteps = 10;
 constexpr int kAnglesTried = 360;
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[320];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 // The second target's place and the angles, camera and axis held.
 Result<RigState> placeTarget(const Calibration& calibration, std::span<const TargetView> views,
@@ -176,7 +169,7 @@ Result<CalibrationCheck> checkCalibration(const Calibration& calibration,
   check.points = measured.size();
   if (check.points < kLeastPoints) {
     return Error{Error::Code::kTooFew,
-                 text("Only %zu points of the check target could be measured.", check.points),
+                 formatted("Only %zu points of the check target could be measured.", check.points),
                  "Take pictures of it all around a turn, about every 15 deg."};
   }
   const auto count = static_cast<Eigen::Index>(check.points);
@@ -187,9 +180,9 @@ Result<CalibrationCheck> checkCalibration(const Calibration& calibration,
   check.error_mm = rmsOf(to - (rigid * from.colwise().homogeneous()).topRows<3>());
   check.detail_mm = rmsOf(to - (similar * from.colwise().homogeneous()).topRows<3>());
   check.size_share = std::cbrt(similar.topLeftCorner<3, 3>().determinant()) - 1.0;
-  check.sentence = text("%zu points of \"", check.points) + target.name +
-                   text("\" were measured to %.3f mm; its size came out %+.3f %% off.",
-                        check.error_mm, std::round(1e5 * check.size_share) / 1e3 + 0.0);
+  check.sentence = formatted("%zu points of \"", check.points) + target.name +
+                   formatted("\" were measured to %.3f mm; its size came out %+.3f %% off.",
+                             check.error_mm, std::round(1e5 * check.size_share) / 1e3 + 0.0);
   return check;
 }
 
@@ -239,13 +232,14 @@ Result<PlaceCheck> checkPlace(const RigCalibration& known, const TargetView& vie
   check.offset_mm = check.offset_px * distance_mm / state.frames.camera.fx;
   check.fits = check.offset_px <= options.max_offset_px;
   check.sentence =
-      check.fits ? text("Camera and table stand as they were calibrated, to %.2f px (%.3f mm).",
-                        check.offset_px, check.offset_mm)
-                 : text(
-                       "Camera or table were moved: the target is %.1f px (%.2f mm) off. One turn "
-                       "of the ring restores the camera's place, unless it was refocused or "
-                       "zoomed.",
-                       check.offset_px, check.offset_mm);
+      check.fits
+          ? formatted("Camera and table stand as they were calibrated, to %.2f px (%.3f mm).",
+                      check.offset_px, check.offset_mm)
+          : formatted(
+                "Camera or table were moved: the target is %.1f px (%.2f mm) off. One turn "
+                "of the ring restores the camera's place, unless it was refocused or "
+                "zoomed.",
+                check.offset_px, check.offset_mm);
   return check;
 }
 

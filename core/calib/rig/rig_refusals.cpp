@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <Eigen/Dense>
+
+#include "core/base/formatted.h"
 
 namespace gyre {
 namespace {
@@ -13,13 +14,6 @@ namespace {
 constexpr double kSamePlace_rad = radFromDeg(1.0);  // nearer angles count as one
 constexpr double kThin = 0.05;       // thickness over width of what counts as a plane
 constexpr double kAlongAxis = 0.97;  // cosine of 14 deg between normal and axis
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[320];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -122,17 +116,18 @@ Result<void> checkArc(const RigScene& scene, const RigState& state,
   const double arc_rad = coveredArc(angles);
   const std::size_t different = differentAngles(angles);
   if (arc_rad >= options.min_arc_rad && different >= options.min_views) return {};
-  std::string what = text(
+  std::string what = formatted(
       "The target is seen at %zu different angles over %.1f deg; at least %zu over %.0f deg "
       "are needed.",
       different, degFromRad(arc_rad), options.min_views, degFromRad(options.min_arc_rad));
   const auto told_rad = commandedSpan(scene);
   const double turned = std::abs(state.step_scale);
   if (told_rad && *told_rad >= options.min_arc_rad && turned < 0.5) {
-    return Error{Error::Code::kTooFew,
-                 what + text(" The table was told to turn %.0f deg but turned %.4f times as far.",
-                             degFromRad(*told_rad), turned),
-                 "Correct the steps per turn of the motor, and take the pictures again."};
+    return Error{
+        Error::Code::kTooFew,
+        what + formatted(" The table was told to turn %.0f deg but turned %.4f times as far.",
+                         degFromRad(*told_rad), turned),
+        "Correct the steps per turn of the motor, and take the pictures again."};
   }
   return Error{Error::Code::kTooFew, what,
                "Take pictures all around a turn, about every 15 deg, with the target in sight."};
@@ -169,7 +164,7 @@ Result<void> checkNotFlat(const RigScene& scene, const RigState& state,
 Error anotherTarget(const std::string& target_name, double median_px) {
   return {Error::Code::kInvalidInput,
           "The pictures do not fit the target \"" + target_name +
-              text("\": half of its points are more than %.1f px off.", median_px),
+              formatted("\": half of its points are more than %.1f px off.", median_px),
           "Choose the target that is on the table, and look whether it stood firmly on it."};
 }
 

@@ -2,7 +2,8 @@
 #include "core/calib/rig/rig_verdict.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "core/base/formatted.h"
 
 namespace gyre {
 namespace {
@@ -18,23 +19,16 @@ constexpr double kBow_mm = 0.1;
 constexpr double kFold_rad = radFromDeg(0.25);
 constexpr double kFoldShift_mm = 0.3;
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[240];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
 // The one change that helps most, the cheapest first.
 std::string remedy(const CaptureFacts& facts, const CalibrationReport& report) {
   if (report.median_px > kBlurred_px) {
     return "Focus on the target and light it better: its corners scatter by " +
-           text("%.2f px.", report.median_px);
+           formatted("%.2f px.", report.median_px);
   }
   if (facts.arc_rad < kHardlyAllAround_rad) return "Turn the table all the way around.";
   if (facts.target_share < kSmallTarget) {
-    return text("Bring the target closer: it fills only %.0f %% of the picture.",
-                100.0 * facts.target_share);
+    return formatted("Bring the target closer: it fills only %.0f %% of the picture.",
+                     100.0 * facts.target_share);
   }
   if (report.views < kFewViews) return "Take more pictures around the turn.";
   return "Use a target with more corners, or tilt it more towards the camera.";
@@ -66,11 +60,12 @@ const char* wordOf(CalibrationVerdict verdict) {
 std::string faceSentence(std::size_t number, const FaceReport& face) {
   std::string found;
   const auto add = [&](const std::string& what) { found += (found.empty() ? "" : ", ") + what; };
-  if (std::abs(face.bow_mm) > kBow_mm) add(text("is bowed by %.2f mm", face.bow_mm));
-  if (face.tilt_rad > kFold_rad) add(text("is folded %.2f deg off", degFromRad(face.tilt_rad)));
-  if (face.shift_mm > kFoldShift_mm) add(text("stands %.2f mm off", face.shift_mm));
+  if (std::abs(face.bow_mm) > kBow_mm) add(formatted("is bowed by %.2f mm", face.bow_mm));
+  if (face.tilt_rad > kFold_rad)
+    add(formatted("is folded %.2f deg off", degFromRad(face.tilt_rad)));
+  if (face.shift_mm > kFoldShift_mm) add(formatted("stands %.2f mm off", face.shift_mm));
   if (found.empty()) return {};
-  return text("Face %zu of the target ", number) + found + "; this was corrected.";
+  return formatted("Face %zu of the target ", number) + found + "; this was corrected.";
 }
 
 void remarkOnMotor(const CalibrationReport& report, std::vector<std::string>& remarks) {
@@ -81,17 +76,17 @@ void remarkOnMotor(const CalibrationReport& report, std::vector<std::string>& re
   }
   if (std::abs(report.step_scale - 1.0) > kScaleOff) {
     remarks.push_back(
-        text("The table turns %.4f times as far as it is told: the steps per turn "
-             "are set wrong.",
-             report.step_scale));
+        formatted("The table turns %.4f times as far as it is told: the steps per turn "
+                  "are set wrong.",
+                  report.step_scale));
   }
   if (report.once_per_turn.amplitude_rad > kHarmonic_rad) {
-    remarks.push_back(text("Once a turn the table runs ahead and behind by %.2f deg.",
-                           degFromRad(report.once_per_turn.amplitude_rad)));
+    remarks.push_back(formatted("Once a turn the table runs ahead and behind by %.2f deg.",
+                                degFromRad(report.once_per_turn.amplitude_rad)));
   }
   if (report.twice_per_turn.amplitude_rad > kHarmonic_rad) {
-    remarks.push_back(text("Twice a turn the table runs ahead and behind by %.2f deg.",
-                           degFromRad(report.twice_per_turn.amplitude_rad)));
+    remarks.push_back(formatted("Twice a turn the table runs ahead and behind by %.2f deg.",
+                                degFromRad(report.twice_per_turn.amplitude_rad)));
   }
 }
 
@@ -101,9 +96,9 @@ void judge(const RigBundleOptions& options, const CaptureFacts& facts, Calibrati
   report.verdict = verdictOn(report, options.limits);
   const double detail = report.local_detail_mm / report.object_size_mm;
   report.sentence = wordOf(report.verdict);
-  report.sentence +=
-      text(": on an object of %.0f mm, local detail \u00b1 %.3f mm, overall size \u00b1 %.2f mm",
-           report.object_size_mm, report.local_detail_mm, report.overall_size_mm);
+  report.sentence += formatted(
+      ": on an object of %.0f mm, local detail \u00b1 %.3f mm, overall size \u00b1 %.2f mm",
+      report.object_size_mm, report.local_detail_mm, report.overall_size_mm);
   report.sentence += report.size_verified ? "." : " (size not verified).";
   if (!(detail <= options.limits.good_detail)) {
     report.sentence += " " + remedy(facts, report);
@@ -117,7 +112,7 @@ void judge(const RigBundleOptions& options, const CaptureFacts& facts, Calibrati
 void judgeByCheck(const CalibrationCheck& check, const RigBundleOptions& options,
                   CalibrationReport& report) {
   report.check_mm = check.detail_mm;
-  report.remarks.push_back(text(
+  report.remarks.push_back(formatted(
       "Checked by %zu points of the target that took no part in the solution: they were measured "
       "to %.3f mm.",
       check.points, check.detail_mm));
@@ -131,7 +126,7 @@ void judgeByCheck(const CalibrationCheck& check, const RigBundleOptions& options
   if (verdict == report.verdict) return;
   report.verdict = verdict;
   report.sentence = std::string(wordOf(verdict)) +
-                    text(
+                    formatted(
                         ": points of the target that took no part in the solution were measured "
                         "only to %.3f mm. Glue the target to something flat and stiff, and see "
                         "that it does not move on the table.",
@@ -147,9 +142,9 @@ std::vector<std::string> remarksOn(const CalibrationReport& report, const Captur
   }
   if (facts.outlier_share > kManyOutliers) {
     remarks.push_back(
-        text("%.0f %% of the sightings did not fit and were left out: look for "
-             "reflections, or for pictures in which the target moved.",
-             100.0 * facts.outlier_share));
+        formatted("%.0f %% of the sightings did not fit and were left out: look for "
+                  "reflections, or for pictures in which the target moved.",
+                  100.0 * facts.outlier_share));
   }
   return remarks;
 }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device/protocols/grbl.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/formatted.h"
 
 namespace gyre {
 namespace {
@@ -174,11 +173,7 @@ std::optional<GrblMessage> GrblParser::next() {
 
 std::string grblMove(char axis, double target, double feed) {
   // G53: a machine position, whatever offsets somebody has set; G21 G90 G94: whatever modes.
-  std::array<char, 80> line{};
-  const int length =
-      std::snprintf(line.data(), line.size(), "G21G90G94G53G1%c%.4fF%.1f", axis, target, feed);
-  GYRE_CHECK(length > 0 && length < static_cast<int>(line.size()));
-  return line.data();
+  return formatted("G21G90G94G53G1%c%.4fF%.1f", axis, target, feed);
 }
 
 std::size_t grblAxisIndex(char axis) {
