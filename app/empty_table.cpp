@@ -6,6 +6,7 @@
 
 #include "core/base/clock.h"
 #include "core/io/empty_table_file.h"
+#include "core/scan/picture_size.h"
 
 namespace gyre {
 
@@ -42,11 +43,11 @@ Result<void> keepEmptyTable(const std::filesystem::path& file_or_folder, ScanSto
   const auto read = readEmptyTable(file_or_folder);
   if (!read) return read.error();
   const Frame& frame = **read;
-  const CameraModel& camera = store.calibration().camera;
-  if (frame.image_bgr.cols != camera.width_px || frame.image_bgr.rows != camera.height_px) {
-    return Error{Error::Code::kInvalidInput,
-                 "The picture of the empty table has another size than the calibration.",
-                 "Take it with the camera mode that is calibrated."};
+  if (auto fits =
+          checkCalibratedSize({frame.image_bgr.cols, frame.image_bgr.rows},
+                              store.calibration().camera, "The picture of the empty table has");
+      !fits) {
+    return fits;
   }
   return store.addEmptyTable(frame);
 }

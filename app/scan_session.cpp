@@ -23,8 +23,7 @@ namespace gyre {
 namespace {
 
 constexpr const char* kEmptyTableLost =
-    "Where the table stood for the picture of the empty table is not known any more: the object is "
-    "told by its motion instead.";
+    "Where the table stood for the picture of the empty table is not known any more: ";
 
 void tell(const ScanObserver& observer, const std::string& remark) {
   if (observer.on_remark) observer.on_remark(remark);
@@ -79,7 +78,10 @@ Result<void> prepareTable(const Rig& rig, const ScanPlan& plan, const ScanObserv
   if (plan.empty_table) {
     const auto kept = keepEmptyTable(*plan.empty_table, *rig.turntable, store);
     if (!kept) return kept.error();
-    if (!*kept) tell(observer, kEmptyTableLost);
+    if (!*kept) {
+      tell(observer, std::string(kEmptyTableLost) +
+                         (rig.room ? "it is taken again." : "the object is told by its motion."));
+    }
   }
   return takeEmptyTable(rig, store, task);
 }

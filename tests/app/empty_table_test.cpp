@@ -108,7 +108,7 @@ TEST(EmptyTable, IsLeftOutWhenTheTablesPlaceWasLost) {
   EXPECT_FALSE(store->readEmptyTable());
 }
 
-TEST(EmptyTable, TellsThatItIsLeftOut) {
+TEST(EmptyTable, TellsThatItIsTakenAgain) {
   const TempDir dir;
   Rig rig = opened(smallRig());
   ScanPlan plan = planInto(dir / "duck", rig);
@@ -119,7 +119,7 @@ TEST(EmptyTable, TellsThatItIsLeftOut) {
   ScanObserver observer;
   observer.on_remark = [&](const std::string& remark) { remarks.push_back(remark); };
   ASSERT_TRUE(runScanSession(rig, plan, observer, {}));
-  EXPECT_THAT(remarks, ElementsAre(HasSubstr("not known any more")));
+  EXPECT_THAT(remarks, ElementsAre(HasSubstr("not known any more: it is taken again.")));
 }
 
 TEST(EmptyTable, FromAFileMustHaveTheCalibrationsSize) {
@@ -131,7 +131,7 @@ TEST(EmptyTable, FromAFileMustHaveTheCalibrationsSize) {
   ASSERT_TRUE(writePicture(dir / "other.png", other));
   const auto kept = keepEmptyTable(dir / "other.png", *store);
   ASSERT_FALSE(kept);
-  EXPECT_THAT(kept.error().what, HasSubstr("another size"));
+  EXPECT_THAT(kept.error().what, HasSubstr("The picture of the empty table has 30 x 20 pixels"));
   EXPECT_FALSE(keepEmptyTable(dir / "nowhere.png", *store));
 }
 

@@ -10,7 +10,6 @@
 namespace gyre {
 namespace {
 
-constexpr double kOnFace_mm = 0.1;
 constexpr int kCircleCorners = 24;
 
 // The squares of a face: the one at (column, row) lies between the corners (column, row) and
@@ -84,8 +83,7 @@ std::vector<PrintedArea> printOf(const Target& target, const TargetFace& face) {
     }
   }
   for (const TargetDot& dot : target.dots) {
-    const Eigen::Vector3d off = dot.centre_in_target - face.origin_in_target;
-    if (std::abs(face.outwardInTarget().dot(off)) > kOnFace_mm) continue;
+    if (!face.holds(dot.centre_in_target)) continue;
     areas.push_back(roundMark(face, dot));
     areas.back().dark = !squares.isDarkAt(face.placeOf(dot.centre_in_target));
   }

@@ -35,8 +35,7 @@ int markSeen(const AssignmentInput& input, const LatticeAssignment& labelling,
              const TargetDot& dot) {
   const RoughPose& pose = labelling.pose;
   const auto face = std::find_if(input.faces.begin(), input.faces.end(), [&](const auto& each) {
-    const Eigen::Vector3d off = dot.centre_in_target - each.origin_in_target;
-    return each.grid && std::abs(each.outwardInTarget().dot(off)) < 0.1;
+    return each.grid && each.holds(dot.centre_in_target);
   });
   if (face == input.faces.end() || !looksAtCamera(*face, pose.cam_from_target, kPlainView)) {
     return 0;

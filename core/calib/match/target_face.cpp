@@ -11,6 +11,7 @@ namespace gyre {
 namespace {
 
 constexpr double kOffLattice = 0.08;  // as a share of the pitch
+constexpr double kOnFace_mm = 0.1;    // what a description may round off
 
 struct Members {
   std::vector<int> points;
@@ -220,6 +221,10 @@ Eigen::Vector3d TargetFace::outwardInTarget() const {
 Eigen::Vector2d TargetFace::placeOf(const Eigen::Vector3d& point_in_target) const {
   const Eigen::Vector3d from_origin = point_in_target - origin_in_target;
   return {right_in_target.dot(from_origin), down_in_target.dot(from_origin)};
+}
+
+bool TargetFace::holds(const Eigen::Vector3d& point_in_target) const {
+  return std::abs(outwardInTarget().dot(point_in_target - origin_in_target)) < kOnFace_mm;
 }
 
 Eigen::Vector3d TargetFace::pointAt(const Eigen::Vector2d& place_mm) const {

@@ -46,6 +46,7 @@ struct TargetFace {
   Eigen::Vector3d outwardInTarget() const;  // unit
   Eigen::Vector2d placeOf(const Eigen::Vector3d& point_in_target) const;
   Eigen::Vector3d pointAt(const Eigen::Vector2d& place_mm) const;  // in the target frame
+  bool holds(const Eigen::Vector3d& point_in_target) const;        // it lies in the face's plane
 };
 
 // One a face of the target, in its order; a face of fewer than three corners, or of corners on one

@@ -32,6 +32,8 @@ TEST_P(FacesOfStandardTargets, AreDrawnAsSeenFromOutside) {
       const auto& position = points[static_cast<std::size_t>(corner.point)].position_in_target;
       EXPECT_LT((face.pointAt(corner.place_mm) - position).norm(), 1e-6);
       EXPECT_LT((face.placeOf(position) - corner.place_mm).norm(), 1e-6);
+      EXPECT_TRUE(face.holds(position));
+      EXPECT_FALSE(face.holds(position + face.outwardInTarget()));  // 1 mm in front of it
       EXPECT_GT(corner.clear_mm, 0.0);
     }
   }
