@@ -46,6 +46,9 @@ std::string formatted(const char* format, ...) {
   return text;
 }
 
-std::string pxText(double px) { return formatted(px < 10.0 ? "%.2g px" : "%.0f px", px); }
+std::string pxText(double px) {
+  if (px < 1.0) return formatted("%.2g px", px);
+  return formatted(px < 10.0 ? "%.1f px" : "%.0f px", px);
+}
 
 }  // namespace gyre

@@ -11,7 +11,7 @@ namespace gyre {
 /// The compiler checks the values against the format. Any thread.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
-/// Pixels as they are told: two digits below ten, whole ones above ("0.42 px", "17 px").
+/// Pixels as they are told: two digits below ten, whole ones above ("0.42 px", "3.0 px", "17 px").
 std::string pxText(double px);
 
 }  // namespace gyre

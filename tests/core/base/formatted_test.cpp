@@ -40,6 +40,7 @@ TEST(Formatted, KeepsTheDecimalPointWhereACommaIsUsual) {
 
 TEST(PxText, TellsTwoDigitsOfWhatIsSmall) {
   EXPECT_EQ(pxText(0.4231), "0.42 px");
+  EXPECT_EQ(pxText(3.0), "3.0 px");
   EXPECT_EQ(pxText(3.21), "3.2 px");
   EXPECT_EQ(pxText(17.4), "17 px");
   EXPECT_EQ(pxText(120.0), "120 px");
