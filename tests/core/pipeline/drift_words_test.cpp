@@ -40,7 +40,7 @@ TEST(DriftWords, APushedTableMovesThePlatterAlone) {
   DriftReport report = background(views(kNever), "The camera stood still.");
   addPlatter(report, views(3));
   EXPECT_THAT(report.sentence, AllOf(HasSubstr("turntable was pushed: from view 4"),
-                                     HasSubstr("2 px"), HasSubstr("stands still")));
+                                     HasSubstr("2.0 px"), HasSubstr("stands still")));
   ASSERT_NE(report.firstMoved(), nullptr);
   EXPECT_EQ(report.firstMoved()->view, 3);
 }
