@@ -93,11 +93,22 @@ class Heartbeat final : public QObject {
   qint64 worst_ms_ = 0;
 };
 
-// A stall is the program's fault only where the machine was its own.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSlowedDown = true;  // by a sanitizer, several times
+#else
+constexpr bool kSlowedDown = false;
+#endif
+
+// A stall is the program's fault only where it ran at its own speed and the machine was its own.
 void expectNoStall(const Heartbeat& heartbeat) {
   constexpr double kMostOfOthers = 0.2;
   const double others = heartbeat.shareOfOthers();
   testing::Test::RecordProperty("worst_stall_ms", static_cast<int>(heartbeat.worstStallMs()));
+  if (kSlowedDown) {
+    std::cout << "not judged under a sanitizer: the longest stall, " << heartbeat.worstStallMs()
+              << " ms\n";
+    return;
+  }
   if (others <= kMostOfOthers) {
     EXPECT_LE(heartbeat.worstStallMs(), 50);
     return;
