@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "core/base/option_list.h"
 
 namespace gyre {
 
 struct RecoverOptions {
+  // How a point is found from its rays: see Solver. The paper's ways believe every sighting.
+  std::string solver = "robust";
   // Widest angle between two rays below which depth is guesswork.
   double min_parallax_deg = 5.0;
   // Fewest views that must agree on a point.
@@ -22,6 +26,8 @@ struct RecoverOptions {
 
   template <class V>
   void describe(V& visit) {
+    visit({"solver", "", 0, 0, "How points are found: two-view, squared, absolute or robust."},
+          solver);
     visit({"min-parallax", "deg", 0.1, 90, "Widest angle between two rays that a point needs."},
           min_parallax_deg);
     visit({"min-views", "", 2, 100, "Fewest views that must agree on a point."}, min_views);
@@ -31,7 +37,7 @@ struct RecoverOptions {
     visit({"angle-sigma", "deg", 0, 5, "Expected error of the table's angle in one view."},
           angle_sigma_deg);
   }
-  Result<void> validate() const { return validateRanges(*this); }
+  Result<void> validate() const;
 };
 
 }  // namespace gyre

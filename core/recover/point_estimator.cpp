@@ -11,6 +11,7 @@
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/recover/ray_intersection.h"
+#include "core/recover/reprojection.h"
 
 namespace gyre {
 namespace {
@@ -23,16 +24,16 @@ constexpr int kPlainSteps = 3;
 
 // One sighting's part in the normal equations, at a position.
 struct Linearized {
-  Eigen::Vector2d residual;              // seen minus projected, normalised
-  Eigen::Matrix<double, 2, 3> jacobian;  // d(projected) / d(position)
-  Eigen::Matrix2d information;           // inverse covariance of the sighting
-  double chi2 = 0.0;                     // residual in standard deviations, squared
+  Reprojection at;
+  Eigen::Matrix2d information;  // inverse covariance of the sighting
+  double chi2 = 0.0;            // residual in standard deviations, squared
 };
 
 class Problem {
  public:
-  Problem(std::span<const Sighting> sightings, std::span<const Rigid3> poses, double angle_sigma)
-      : sightings_(sightings), poses_(poses), angle_variance_(angle_sigma * angle_sigma) {}
+  Problem(std::span<const Sighting> sightings, std::span<const Rigid3> poses,
+          std::span<const double> angle_variances)
+      : sightings_(sightings), poses_(poses), angle_variances_(angle_variances) {}
 
   std::size_t size() const { return sightings_.size(); }
   const Rigid3& pose(std::size_t i) const {
@@ -48,31 +49,23 @@ class Problem {
 
   // Nothing when the position is not in front of that camera.
   std::optional<Linearized> linearize(std::size_t i, const Eigen::Vector3d& x) const {
-    const Eigen::Matrix3d& r = pose(i).rotation;
-    const Eigen::Vector3d p = r * x + pose(i).translation;
-    if (!(p.z() > 1e-6)) return std::nullopt;
-    const double iz = 1.0 / p.z();
-    const double u = p.x() * iz;
-    const double v = p.y() * iz;
-    Linearized at;
-    at.residual = sightings_[i].normalized - Eigen::Vector2d(u, v);
-    at.jacobian.row(0) = (r.row(0) - u * r.row(2)) * iz;
-    at.jacobian.row(1) = (r.row(1) - v * r.row(2)) * iz;
+    const auto at = reproject(pose(i), sightings_[i].normalized, x);
+    if (!at) return std::nullopt;
     // S = sigma^2 I + sigma_a^2 j j^T with j = d(projected) / d(angle); its inverse by Sherman and
     // Morrison.
-    const Eigen::Vector2d j = at.jacobian * Eigen::Vector3d(-x.y(), x.x(), 0.0);
+    const Eigen::Vector2d& j = at->by_angle;
     const double weight = 1.0 / (sightings_[i].sigma * sightings_[i].sigma);
-    const double share =
-        angle_variance_ * weight / (1.0 + angle_variance_ * weight * j.squaredNorm());
-    at.information = weight * (Eigen::Matrix2d::Identity() - share * j * j.transpose());
-    at.chi2 = at.residual.dot(at.information * at.residual);
-    return at;
+    const double loosened = weight * angle_variances_[static_cast<std::size_t>(sightings_[i].view)];
+    const double share = loosened / (1.0 + loosened * j.squaredNorm());
+    const Eigen::Matrix2d information =
+        weight * (Eigen::Matrix2d::Identity() - share * j * j.transpose());
+    return Linearized{*at, information, at->residual.dot(information * at->residual)};
   }
 
  private:
   std::span<const Sighting> sightings_;
   std::span<const Rigid3> poses_;
-  double angle_variance_;
+  std::span<const double> angle_variances_;  // rad^2
 };
 
 double cauchyWeight(double chi2) { return 1.0 / (1.0 + chi2 / (kCauchyScale * kCauchyScale)); }
@@ -88,13 +81,14 @@ std::optional<Normal> buildNormal(const Problem& problem, const Eigen::Vector3d&
                                   const Weight& weight) {
   Normal normal;
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    const auto at = problem.linearize(i, x);
-    if (!at) return std::nullopt;
-    const double w = weight(i, at->chi2);
+    const auto linear = problem.linearize(i, x);
+    if (!linear) return std::nullopt;
+    const double w = weight(i, linear->chi2);
     if (w == 0.0) continue;
-    const Eigen::Matrix<double, 3, 2> jw = w * at->jacobian.transpose() * at->information;
-    normal.hessian.noalias() += jw * at->jacobian;
-    normal.gradient.noalias() += jw * at->residual;
+    const Reprojection& at = linear->at;
+    const Eigen::Matrix<double, 3, 2> jw = w * at.by_position.transpose() * linear->information;
+    normal.hessian.noalias() += jw * at.by_position;
+    normal.gradient.noalias() += jw * at.residual;
   }
   return normal;
 }
@@ -195,20 +189,49 @@ bool fillCovariance(const Problem& problem, const Weight& weight, EstimatedPoint
   return point.covariance.allFinite();
 }
 
+// The paper's readings: no sighting is doubted.
+std::optional<EstimatedPoint> estimateByPaper(Solver solver, const Problem& problem,
+                                              double min_parallax_rad) {
+  std::vector<Ray> rays;
+  rays.reserve(problem.size());
+  for (std::size_t i = 0; i < problem.size(); ++i) rays.push_back(problem.ray(i));
+  EstimatedPoint point;
+  point.parallax_rad = widestAngle(rays);
+  if (point.parallax_rad < min_parallax_rad) return std::nullopt;
+  const auto position = intersectByPaper(solver, rays);
+  if (!position) return std::nullopt;
+  point.position_in_table = *position;
+  judge(problem, std::numeric_limits<double>::max(), point);
+  if (point.agreeing < static_cast<int>(problem.size())) return std::nullopt;  // behind a camera
+  const auto believed = [](std::size_t, double) { return 1.0; };
+  if (!fillCovariance(problem, believed, point)) return std::nullopt;
+  return point;
+}
+
 }  // namespace
 
 Result<PointEstimator> PointEstimator::create(const RecoverOptions& options) {
   if (auto valid = options.validate(); !valid) return valid.error();
-  return PointEstimator(options);
+  return PointEstimator(options, *solverFromName(options.solver));
+}
+
+void PointEstimator::addPose(const Rigid3& cam_from_table) {
+  addPose(cam_from_table, radFromDeg(options_.angle_sigma_deg));
+}
+
+void PointEstimator::addPose(const Rigid3& cam_from_table, double angle_sigma_rad) {
+  poses_.push_back(cam_from_table);
+  angle_variances_.push_back(angle_sigma_rad * angle_sigma_rad);
 }
 
 std::optional<EstimatedPoint> PointEstimator::estimate(std::span<const Sighting> sightings,
                                                        std::uint64_t seed) const {
   const auto n = static_cast<int>(sightings.size());
   if (n < options_.min_views) return std::nullopt;
-  const Problem problem(sightings, poses_, radFromDeg(options_.angle_sigma_deg));
+  const Problem problem(sightings, poses_, angle_variances_);
   Random random(seed);
   const double min_parallax_rad = radFromDeg(options_.min_parallax_deg);
+  if (solver_ != Solver::kRobust) return estimateByPaper(solver_, problem, min_parallax_rad);
   auto start = bestHypothesis(problem, min_parallax_rad, random);
   if (!start) return std::nullopt;
 
@@ -236,7 +259,7 @@ std::optional<EstimatedPoint> PointEstimator::estimate(std::span<const Sighting>
 
 std::optional<EstimatedPoint> PointEstimator::refine(
     std::span<const Sighting> sightings, const Eigen::Vector3d& position_in_table) const {
-  const Problem problem(sightings, poses_, radFromDeg(options_.angle_sigma_deg));
+  const Problem problem(sightings, poses_, angle_variances_);
   EstimatedPoint point;
   point.position_in_table = position_in_table;
   const auto cauchy = [](std::size_t, double chi2) { return cauchyWeight(chi2); };

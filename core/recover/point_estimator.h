@@ -11,15 +11,10 @@
 
 #include "core/geometry/rigid3.h"
 #include "core/recover/options.h"
+#include "core/recover/sighting.h"
+#include "core/recover/solver.h"
 
 namespace gyre {
-
-// One view's sighting of the point, freed of intrinsics and distortion.
-struct Sighting {
-  std::int32_t view = 0;
-  Eigen::Vector2d normalized = Eigen::Vector2d::Zero();  // undistorted x/z, y/z
-  double sigma = 1e-4;                                   // standard deviation of either, same unit
-};
 
 struct EstimatedPoint {
   Eigen::Vector3d position_in_table = Eigen::Vector3d::Zero();  // mm
@@ -37,15 +32,17 @@ class PointEstimator {
   // Fails when an option is out of its range.
   static Result<PointEstimator> create(const RecoverOptions& options);
 
-  // Sightings name their views by index into these poses.
-  void addPose(const Rigid3& cam_from_table) { poses_.push_back(cam_from_table); }
+  // Sightings name their views by index into these poses. angle_sigma_rad: how far the table's
+  // angle of this view may be off; without it, the options' angle_sigma_deg.
+  void addPose(const Rigid3& cam_from_table);
+  void addPose(const Rigid3& cam_from_table, double angle_sigma_rad);
   const std::vector<Rigid3>& poses() const { return poses_; }
 
-  // Robust from scratch: two-view hypotheses judged by all sightings (MSAC), Cauchy-weighted and
-  // then plain Gauss-Newton on the reprojection error of those that agree. Deterministic in the
-  // seed. Returns nothing when the sightings are too few, agree too little, have too little
-  // parallax, or the point lies behind a camera: bad tracks are common and are not an error.
-  // Leow et al. (2000), eq. 8 and 9; Torr and Zisserman, "MLESAC" (2000).
+  // By the options' solver. Robust from scratch: two-view hypotheses judged by all sightings
+  // (MSAC), Cauchy-weighted and then plain Gauss-Newton on the reprojection error of those that
+  // agree. Deterministic in the seed. Returns nothing when the sightings are too few, agree too
+  // little, have too little parallax, or the point lies behind a camera: bad tracks are common and
+  // are not an error. Leow et al. (2000), eq. 8 and 9; Torr and Zisserman, "MLESAC" (2000).
   std::optional<EstimatedPoint> estimate(std::span<const Sighting> sightings,
                                          std::uint64_t seed) const;
 
@@ -55,10 +52,13 @@ class PointEstimator {
                                        const Eigen::Vector3d& position_in_table) const;
 
  private:
-  explicit PointEstimator(const RecoverOptions& options) : options_(options) {}
+  PointEstimator(const RecoverOptions& options, Solver solver)
+      : options_(options), solver_(solver) {}
 
   RecoverOptions options_;
+  Solver solver_;
   std::vector<Rigid3> poses_;
+  std::vector<double> angle_variances_;  // rad^2, one a pose
 };
 
 }  // namespace gyre

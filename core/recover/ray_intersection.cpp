@@ -14,8 +14,35 @@ namespace {
 // the square of a parallax of about 0.1 degrees.
 constexpr double kSingular = 1e-6;
 
+// Weiszfeld's iteration: a ray nearer than this weighs no more, or one would decide alone.
+constexpr double kNear_mm = 1e-3;
+constexpr double kSettled_mm = 1e-4;
+constexpr int kAbsoluteRounds = 50;
+
 double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// weight: of a ray, above zero.
+template <class Weight>
+std::optional<Eigen::Vector3d> intersectWeighted(std::span<const Ray> rays, const Weight& weight) {
+  if (rays.size() < 2) return std::nullopt;
+  // A ray from c along d misses x by |P (x - c)| with P = I - d d^T. Summing the squares over all
+  // rays and setting the gradient to zero leaves (sum P) x = sum P c. Origins are taken relative
+  // to the first one, so that far-away frames cost no digits.
+  const Eigen::Vector3d reference = rays.front().origin;
+  Eigen::Matrix3d sum_p = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sum_pc = Eigen::Vector3d::Zero();
+  for (const Ray& ray : rays) {
+    const Eigen::Vector3d& d = ray.direction;
+    const Eigen::Matrix3d p = weight(ray) * (Eigen::Matrix3d::Identity() - d * d.transpose());
+    sum_p += p;
+    sum_pc += p * (ray.origin - reference);
+  }
+  const Eigen::LDLT<Eigen::Matrix3d> solver(sum_p);
+  const Eigen::Vector3d pivots = solver.vectorD();
+  if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return std::nullopt;
+  return reference + solver.solve(sum_pc);
 }
 
 }  // namespace
@@ -38,22 +65,19 @@ std::optional<Eigen::Vector3d> intersectTwoRays(const Ray& first, const Ray& sec
 }
 
 std::optional<Eigen::Vector3d> intersectRays(std::span<const Ray> rays) {
-  if (rays.size() < 2) return std::nullopt;
-  // A ray from c along d misses x by |P (x - c)| with P = I - d d^T. Summing the squares over all
-  // rays and setting the gradient to zero leaves (sum P) x = sum P c. Origins are taken relative
-  // to the first one, so that far-away frames cost no digits.
-  const Eigen::Vector3d reference = rays.front().origin;
-  Eigen::Matrix3d sum_p = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d sum_pc = Eigen::Vector3d::Zero();
-  for (const auto& [origin, d] : rays) {
-    const Eigen::Matrix3d p = Eigen::Matrix3d::Identity() - d * d.transpose();
-    sum_p += p;
-    sum_pc += p * (origin - reference);
+  return intersectWeighted(rays, [](const Ray&) { return 1.0; });
+}
+
+std::optional<Eigen::Vector3d> intersectRaysAbsolute(std::span<const Ray> rays) {
+  auto point = intersectRays(rays);
+  for (int round = 0; point && round < kAbsoluteRounds; ++round) {
+    const Eigen::Vector3d before = *point;
+    point = intersectWeighted(rays, [&](const Ray& ray) {
+      return 1.0 / std::max(distanceToLine(ray, before), kNear_mm);
+    });
+    if (point && (*point - before).norm() < kSettled_mm) break;
   }
-  const Eigen::LDLT<Eigen::Matrix3d> solver(sum_p);
-  const Eigen::Vector3d pivots = solver.vectorD();
-  if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return std::nullopt;
-  return reference + solver.solve(sum_pc);
+  return point;
 }
 
 double widestAngle(std::span<const Ray> rays) {

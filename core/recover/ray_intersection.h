@@ -25,6 +25,12 @@ std::optional<Eigen::Vector3d> intersectTwoRays(const Ray& first, const Ray& sec
 // common and are not an error. Leow et al. (2000), eq. 9, squared reading, in closed form.
 std::optional<Eigen::Vector3d> intersectRays(std::span<const Ray> rays);
 
+// The point whose distances to all rays sum to the least, in the rays' frame [mm].
+//
+// Weiszfeld's iteration on intersectRays(): each ray weighs as much as it is near. A few wild rays
+// move it little. Nothing as there. Leow et al. (2000), eq. 9, absolute reading.
+std::optional<Eigen::Vector3d> intersectRaysAbsolute(std::span<const Ray> rays);
+
 // The widest angle between any ray and the first or the last one. [rad]
 double widestAngle(std::span<const Ray> rays);
 
