@@ -1,7 +1,8 @@
 # gyre_add_test(FOLDER NAME LINK targets... LABELS labels... [SOURCES extra files...])
 # builds tests/FOLDER/NAME_test.cpp with GoogleTest and registers it as FOLDER/NAME.
 # Labels decide how it runs: `scenario`, `ui`, `gl` and `long` get the machine to themselves, for they
-# use all cores or watch the clock; `ui` draws without a screen; `data` may be skipped for want of it.
+# use all cores or watch the clock; `ui` draws without a screen; `data` may be skipped for want of it,
+# `pty` for want of pseudo terminals.
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
 endif()
@@ -32,8 +33,10 @@ function(gyre_add_test folder name)
   if("ui" IN_LIST arg_LABELS AND NOT "gl" IN_LIST arg_LABELS)
     set_tests_properties(${folder}/${name} PROPERTIES ENVIRONMENT QT_QPA_PLATFORM=offscreen)
   endif()
-  if("data" IN_LIST arg_LABELS)
-    set_tests_properties(${folder}/${name} PROPERTIES
-      SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
-  endif()
+  foreach(label IN ITEMS data pty)
+    if(label IN_LIST arg_LABELS)
+      set_tests_properties(${folder}/${name} PROPERTIES
+        SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+    endif()
+  endforeach()
 endfunction()

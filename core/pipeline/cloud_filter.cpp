@@ -8,6 +8,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/check.h"
 #include "core/base/parallel.h"
 #include "core/geometry/turntable_pose.h"
 
@@ -69,14 +70,25 @@ void dropSpecks(const PointCloud& cloud, double reach_mm, int min_neighbours,
 }  // namespace
 
 void SilhouetteRecord::addView(const cv::Mat& mask, double table_angle_rad) {
+  const std::size_t added = added_++;
   if (cv::countNonZero(mask) == mask.rows * mask.cols) return;
   View view;
+  view.added = added;
   view.cam_from_table = camFromTable(*calibration_.cam_from_table, table_angle_rad);
   // Grown by a few pixels: masks are not exact to the pixel, and points sit on the outline.
   cv::Mat grown;
   cv::dilate(mask, grown, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
   cv::resize(grown, view.mask, {mask.cols / kShrink, mask.rows / kShrink}, 0, 0, cv::INTER_AREA);
   views_.push_back(std::move(view));
+}
+
+SilhouetteRecord SilhouetteRecord::turned(std::span<const double> corrections_rad) const {
+  GYRE_CHECK(corrections_rad.size() == added_);
+  SilhouetteRecord record = *this;
+  for (View& view : record.views_) {
+    view.cam_from_table = camFromTable(view.cam_from_table, corrections_rad[view.added]);
+  }
+  return record;
 }
 
 double SilhouetteRecord::outsideShare(const Eigen::Vector3d& point_in_table,

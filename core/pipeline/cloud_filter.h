@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/pipeline/options.h"
@@ -21,16 +23,21 @@ class SilhouetteRecord {
   // mask: 8 bit, non-zero on the object. A mask that covers the whole picture says nothing.
   void addView(const cv::Mat& mask, double table_angle_rad);
 
+  // The same outlines with the table turned further by so much in each view added. [rad]
+  SilhouetteRecord turned(std::span<const double> corrections_rad) const;
+
   // Share of the views in whose picture the point lies but misses the object's mask: a point of the
   // object does in none. Asks at most so many views, spread evenly.
   double outsideShare(const Eigen::Vector3d& point_in_table, std::size_t most_views) const;
 
  private:
   struct View {
+    std::size_t added = 0;  // how many were added before
     Rigid3 cam_from_table;
     cv::Mat mask;  // a quarter of the size
   };
   Calibration calibration_;
+  std::size_t added_ = 0;
   std::vector<View> views_;
 };
 

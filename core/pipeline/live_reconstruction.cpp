@@ -3,18 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "core/base/clock.h"
 #include "core/base/median.h"
-#include "core/base/parallel.h"
 #include "core/base/units.h"
+#include "core/geometry/turntable_pose.h"
 #include "core/mesh/point_normals.h"
 #include "core/pipeline/cloud_filter.h"
 #include "core/pipeline/drift_words.h"
 #include "core/pipeline/platter_ring.h"
+#include "core/pipeline/solved_turning.h"
+#include "core/recover/turn_estimator.h"
 #include "core/scan/picture_size.h"
 #include "core/track/drift_monitor.h"
 #include "core/track/empty_table_mask.h"
@@ -26,7 +29,6 @@ namespace {
 
 // Until a live point has this much parallax it is not shown: it would jump about.
 constexpr double kShownParallax_rad = 0.08;
-constexpr std::size_t kGrain = 64;
 
 Result<void> checkSize(const CameraModel& camera, const Frame& frame) {
   const cv::Mat& image = frame.image_bgr;
@@ -103,7 +105,12 @@ class LiveReconstruction::Impl {
   ViewDrift latestDrift() const;
   bool coversFullTurn() const;
   bool plausible(const EstimatedPoint& estimated) const;
-  void measureResiduals(const std::vector<Candidate>& accepted, Reconstruction& result) const;
+  TurningReport turningSoFar() const;
+  Result<TurnEstimate> estimateAll(const std::vector<const MeasuredTrack*>& tracks,
+                                   const std::optional<FeatureTracker::Closure>& closure,
+                                   const TurningReport& turning, const Task& task) const;
+  void measureResiduals(const std::vector<Candidate>& accepted, const std::vector<Rigid3>& poses,
+                        Reconstruction& result) const;
 
   Calibration calibration_;
   ReconstructOptions options_;
@@ -114,7 +121,7 @@ class LiveReconstruction::Impl {
   std::optional<EmptyTableMask> empty_table_mask_;
   MovingMask moving_mask_;
   DriftMonitor drift_;
-  std::vector<double> table_angles_rad_;
+  std::vector<TurnedView> views_;  // at the angles that were tracked with
   double ring_seconds_ = 0.0;
   double mask_seconds_ = 0.0;
   double track_seconds_ = 0.0;
@@ -148,7 +155,8 @@ Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& told,
                        : empty_table_mask_  ? empty_table_mask_->maskOf(*frame)
                                             : moving_mask_.addFrame(*frame);
   silhouettes_.addView(mask, frame->table_angle_rad);
-  table_angles_rad_.push_back(frame->table_angle_rad);
+  views_.push_back({frame->view, frame->name, false, frame->table_angle_rad, frame->table_angle_rad,
+                    0.0, false});
   const double masked_s = steadySeconds();
   TrackedFrame tracked = tracker_.addFrame(frame, mask);
   const double tracked_s = steadySeconds();
@@ -161,10 +169,10 @@ Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& told,
 }
 
 bool LiveReconstruction::Impl::coversFullTurn() const {
-  if (table_angles_rad_.size() < 3) return false;
-  const double turned_rad = std::abs(table_angles_rad_.back() - table_angles_rad_.front());
+  if (views_.size() < 3) return false;
+  const double turned_rad = std::abs(views_.back().angle_rad - views_.front().angle_rad);
   const double last_step_rad =
-      std::abs(table_angles_rad_.back() - table_angles_rad_[table_angles_rad_.size() - 2]);
+      std::abs(views_.back().angle_rad - views_[views_.size() - 2].angle_rad);
   return std::abs(kTurn_rad - turned_rad) < 1.5 * last_step_rad;
 }
 
@@ -191,7 +199,51 @@ PointCloudPtr LiveReconstruction::Impl::cloudSoFar() const {
   return kept;
 }
 
+// With a ring, what it told; without, the views where they were told to be.
+TurningReport LiveReconstruction::Impl::turningSoFar() const {
+  if (ring_) return ring_->turning();
+  TurningReport turning;
+  turning.views = views_;
+  return turning;
+}
+
+Result<TurnEstimate> LiveReconstruction::Impl::estimateAll(
+    const std::vector<const MeasuredTrack*>& tracks,
+    const std::optional<FeatureTracker::Closure>& closure, const TurningReport& turning,
+    const Task& task) const {
+  // Tracks of the last view that the first one shows again: they hold the ends of the turn
+  // together.
+  std::map<std::uint32_t, std::vector<Sighting>> joined;
+  if (closure) {
+    for (const auto& [track_id, sighting] : closure->tracks) joined[track_id] = {sighting};
+  }
+  std::vector<TrackSightings> sightings;
+  sightings.reserve(tracks.size());
+  for (const MeasuredTrack* track : tracks) {
+    const auto found = joined.find(track->track.id);
+    if (found == joined.end()) {
+      sightings.push_back({track->sightings, track->track.id});
+      continue;
+    }
+    std::vector<Sighting>& all = found->second;
+    all.insert(all.end(), track->sightings.begin(), track->sightings.end());
+    sightings.push_back({all, track->track.id});
+  }
+  const AngleBeliefs beliefs = beliefsBeforeSolving(turning.views, options_.recover);
+  auto turn = estimateTurn(sightings, tracker_.estimator().poses(), beliefs.knowledge(),
+                           options_.recover, task);
+  if (!turn) return turn;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    auto& point = turn->points[i];
+    if (point && point->agrees.size() > tracks[i]->sightings.size()) {
+      point->agrees.erase(point->agrees.begin());  // back to one a sighting of the track
+    }
+  }
+  return turn;
+}
+
 void LiveReconstruction::Impl::measureResiduals(const std::vector<Candidate>& accepted,
+                                                const std::vector<Rigid3>& poses,
                                                 Reconstruction& result) const {
   std::vector<double> distances_px;
   double squares = 0.0;
@@ -200,7 +252,7 @@ void LiveReconstruction::Impl::measureResiduals(const std::vector<Candidate>& ac
     for (std::size_t i = 0; i < track.sightings.size(); ++i) {
       if (candidate.estimated->agrees[i] == 0) continue;
       const Observation& seen = track.track.observations[i];
-      const Rigid3& pose = tracker_.estimator().poses()[static_cast<std::size_t>(seen.view)];
+      const Rigid3& pose = poses[static_cast<std::size_t>(seen.view)];
       const auto pixel = calibration_.camera.project(pose * candidate.estimated->position_in_table);
       if (!pixel) continue;
       distances_px.push_back((*pixel - seen.pixel).norm());
@@ -215,26 +267,27 @@ void LiveReconstruction::Impl::measureResiduals(const std::vector<Candidate>& ac
 
 Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const {
   const double start_s = steadySeconds();
-  std::vector<Candidate> candidates;
-  for (const MeasuredTrack* track : tracker_.tracks()) candidates.push_back({track, {}});
-  parallelFor(candidates.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    if (task.stopRequested()) return;
-    for (std::size_t i = begin; i < end; ++i) {
-      const MeasuredTrack& track = *candidates[i].track;
-      candidates[i].estimated = tracker_.estimator().estimate(track.sightings, track.track.id);
-    }
-  });
+  const std::vector<const MeasuredTrack*> tracks = tracker_.tracks();
+  const TurningReport turning = turningSoFar();
+  const auto closure = coversFullTurn() ? tracker_.closure() : std::nullopt;
+  auto turn = estimateAll(tracks, closure, turning, task.part(0.0, 0.6));
+  if (!turn) return turn.error();
+  std::vector<Rigid3> poses = tracker_.estimator().poses();
+  for (std::size_t view = 0; view < poses.size(); ++view) {
+    poses[view] = camFromTable(poses[view], turn->corrections_rad[view]);
+  }
   task.report(0.6, "Weighing points");
-  if (task.stopRequested()) return cancelled();
 
   Reconstruction result;
+  result.turning = afterSolving(turning, *turn);
   std::vector<Candidate> plausibles;
-  for (Candidate& candidate : candidates) {
-    if (!candidate.estimated || !plausible(*candidate.estimated)) continue;
-    result.cloud.points.push_back(pointOf(*candidate.track, *candidate.estimated));
-    plausibles.push_back(std::move(candidate));
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    if (!turn->points[i] || !plausible(*turn->points[i])) continue;
+    result.cloud.points.push_back(pointOf(*tracks[i], *turn->points[i]));
+    plausibles.push_back({tracks[i], std::move(turn->points[i])});
   }
-  const auto keep = judgePoints(result.cloud, silhouettes_, options_.cloud, Scrutiny::kFull);
+  const auto keep = judgePoints(result.cloud, silhouettes_.turned(turn->corrections_rad),
+                                options_.cloud, Scrutiny::kFull);
   if (task.stopRequested()) return cancelled();
   std::vector<Candidate> accepted;
   PointCloud kept;
@@ -244,15 +297,12 @@ Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const 
     accepted.push_back(std::move(plausibles[i]));
   }
   result.cloud = std::move(kept);
-  const auto towards_camera = directionsToCameras(result.cloud, tracker_.estimator().poses());
+  const auto towards_camera = directionsToCameras(result.cloud, poses);
   if (auto set = setPointNormals(result.cloud, towards_camera, {}, task); !set) return set.error();
-  measureResiduals(accepted, result);
-  if (coversFullTurn()) result.turn_gap = tracker_.turnGap();
+  measureResiduals(accepted, poses, result);
+  if (closure) result.turn_gap = closure->gap;
   result.drift = drift_.report();
-  if (ring_) {
-    result.turning = ring_->turning();
-    addPlatter(result.drift, ring_->drift());
-  }
+  if (ring_) addPlatter(result.drift, ring_->drift());
   result.seconds = {{"mask", mask_seconds_},
                     {"track", track_seconds_},
                     {"drift", drift_seconds_},

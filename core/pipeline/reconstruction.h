@@ -21,7 +21,7 @@ struct Reconstruction {
   double median_px = 0.0;
   std::optional<TurnGap> turn_gap;        // after a full turn only
   DriftReport drift;                      // whether camera or table were bumped
-  std::optional<TurningReport> turning;   // where a ring of markers tells the table's angles
+  std::optional<TurningReport> turning;   // how the table truly turned
   std::map<std::string, double> seconds;  // stage -> time spent
 };
 

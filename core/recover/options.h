@@ -23,6 +23,9 @@ struct RecoverOptions {
   // Standard deviation of the table's angle in one view: it loosens the sightings across the
   // motion, so that the error bars are true. Zero for a perfect motor.
   double angle_sigma_deg = 0.03;
+  // How far from where it was told the table may be found to stand, by all features together, as a
+  // standard deviation. Zero believes the motor.
+  double angle_freedom_deg = 0.5;
 
   template <class V>
   void describe(V& visit) {
@@ -36,6 +39,8 @@ struct RecoverOptions {
     visit({"outlier-sigma", "sigma", 1, 20, "How far off a sighting still agrees."}, outlier_sigma);
     visit({"angle-sigma", "deg", 0, 5, "Expected error of the table's angle in one view."},
           angle_sigma_deg);
+    visit({"angle-freedom", "deg", 0, 5, "How far off the table may be found to stand."},
+          angle_freedom_deg);
   }
   Result<void> validate() const;
 };

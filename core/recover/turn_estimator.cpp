@@ -19,11 +19,14 @@ constexpr double kCauchy_sigma = 2.385;
 class TurnProblem {
  public:
   TurnProblem(std::span<const TrackSightings> tracks, std::span<const Rigid3> cam_from_table,
-              std::span<const double> angle_sigma_rad, const RecoverOptions& options)
-      : tracks_(tracks), told_(cam_from_table), prior_rad_(angle_sigma_rad), options_(options) {
+              const AngleKnowledge& angles, const RecoverOptions& options)
+      : tracks_(tracks),
+        told_(cam_from_table),
+        prior_rad_(angles.prior_sigma_rad),
+        options_(options) {
     estimate_.points.resize(tracks.size());
     estimate_.corrections_rad.assign(told_.size(), 0.0);
-    estimate_.sigma_rad.assign(prior_rad_.begin(), prior_rad_.end());
+    estimate_.sigma_rad.assign(angles.expected_sigma_rad.begin(), angles.expected_sigma_rad.end());
   }
 
   // Every point by itself, at the angles as they are known by now.
@@ -96,12 +99,13 @@ Result<void> TurnProblem::solveAngles(double cauchy_sigma, const Task& task) {
 
 Result<TurnEstimate> estimateTurn(std::span<const TrackSightings> tracks,
                                   std::span<const Rigid3> cam_from_table,
-                                  std::span<const double> angle_sigma_rad,
-                                  const RecoverOptions& options, const Task& task) {
-  GYRE_CHECK(cam_from_table.size() == angle_sigma_rad.size());
-  TurnProblem problem(tracks, cam_from_table, angle_sigma_rad, options);
+                                  const AngleKnowledge& angles, const RecoverOptions& options,
+                                  const Task& task) {
+  GYRE_CHECK(cam_from_table.size() == angles.expected_sigma_rad.size());
+  GYRE_CHECK(cam_from_table.size() == angles.prior_sigma_rad.size());
+  TurnProblem problem(tracks, cam_from_table, angles, options);
   if (auto done = problem.estimatePoints(task); !done) return done.error();
-  const bool exact = std::all_of(angle_sigma_rad.begin(), angle_sigma_rad.end(),
+  const bool exact = std::all_of(angles.prior_sigma_rad.begin(), angles.prior_sigma_rad.end(),
                                  [](double sigma) { return sigma == 0.0; });
   if (exact || solverFromName(options.solver) != Solver::kRobust) return problem.take();
   task.report(0.3, "Solving the table's angles");

@@ -20,6 +20,14 @@ struct TrackSightings {
   std::uint64_t seed = 0;
 };
 
+// What is known of the table's angles beforehand, one a view. [rad]
+struct AngleKnowledge {
+  // How far they are off as a rule: it loosens the sightings while points are found one by one.
+  std::span<const double> expected_sigma_rad;
+  // How far they may be found to be off; 0 holds the angle.
+  std::span<const double> prior_sigma_rad;
+};
+
 struct TurnEstimate {
   std::vector<std::optional<EstimatedPoint>> points;  // one a track; none for a bad track
   std::vector<double> corrections_rad;  // one a view: to be added to the table's angle
@@ -31,12 +39,12 @@ struct TurnEstimate {
 // agrees now; and the angles once more, plainly. Only a solver that knows errors can do so: with
 // the paper's own solvers the angles stay as told.
 //
-// cam_from_table: one a view, at the angles told. angle_sigma_rad: one a view, how far they may be
-// off; with all of them 0 every point is estimated by itself alone. Fails when an option is out of
-// its range, and with kCancelled. The same result for any number of threads.
+// cam_from_table: one a view, at the angles told. When every prior is 0, points are estimated
+// alone. Fails when an option is out of its range, and with kCancelled. The same result for any
+// number of threads.
 Result<TurnEstimate> estimateTurn(std::span<const TrackSightings> tracks,
                                   std::span<const Rigid3> cam_from_table,
-                                  std::span<const double> angle_sigma_rad,
-                                  const RecoverOptions& options, const Task& task);
+                                  const AngleKnowledge& angles, const RecoverOptions& options,
+                                  const Task& task);
 
 }  // namespace gyre

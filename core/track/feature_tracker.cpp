@@ -50,7 +50,7 @@ class FeatureTracker::Impl {
   TrackedFrame addFrame(const FramePtr& frame, const cv::Mat& object_mask);
   std::vector<const MeasuredTrack*> tracks() const;
   const PointEstimator& estimator() const { return estimator_; }
-  std::optional<TurnGap> turnGap() const;
+  std::optional<Closure> closure() const;
 
  private:
   // A track that goes on, and the patch that holds it in its place.
@@ -322,18 +322,30 @@ std::vector<const MeasuredTrack*> FeatureTracker::Impl::tracks() const {
   return all;
 }
 
-std::optional<TurnGap> FeatureTracker::Impl::turnGap() const {
+std::optional<FeatureTracker::Closure> FeatureTracker::Impl::closure() const {
   const auto last_view = static_cast<std::int32_t>(estimator_.poses().size()) - 1;
   std::vector<LateFeature> late;
+  std::vector<const MeasuredTrack*> tracks;
   for (const ActiveTrack& active : active_) {
     const MeasuredTrack& track = active.measured;
     const Observation& last = active.last();
     const bool begun_late = track.track.observations.front().view > last_view / 2;
     if (!track.point || !begun_late || last.view != last_view) continue;
     const auto settled = estimator_.estimate(track.sightings, track.track.id);
-    if (settled) late.push_back({last.pixel, settled->position_in_table});
+    if (!settled) continue;
+    late.push_back({last.pixel, settled->position_in_table});
+    tracks.push_back(&track);
   }
-  return measureTurnGap({before_, first_, calibration_.camera, pose(0)}, late, options_);
+  auto gap = measureTurnGap({before_, first_, calibration_.camera, pose(0)}, late, options_);
+  if (!gap) return std::nullopt;
+  Closure closure;
+  for (const ReturnedFeature& returned : gap->returned) {
+    const MeasuredTrack& track = *tracks[returned.late];
+    closure.tracks.push_back(
+        {track.track.id, sightingAt(0, returned.pixel, track.track.observations.back().sigma_px)});
+  }
+  closure.gap = std::move(*gap);
+  return closure;
 }
 
 Result<FeatureTracker> FeatureTracker::create(const Calibration& calibration,
@@ -358,7 +370,7 @@ TrackedFrame FeatureTracker::addFrame(const FramePtr& frame, const cv::Mat& obje
   return impl_->addFrame(frame, object_mask);
 }
 std::vector<const MeasuredTrack*> FeatureTracker::tracks() const { return impl_->tracks(); }
-std::optional<TurnGap> FeatureTracker::turnGap() const { return impl_->turnGap(); }
+std::optional<FeatureTracker::Closure> FeatureTracker::closure() const { return impl_->closure(); }
 const PointEstimator& FeatureTracker::estimator() const { return impl_->estimator(); }
 
 }  // namespace gyre

@@ -49,9 +49,19 @@ class FeatureTracker {
   // Pointers hold until the next addFrame().
   std::vector<const MeasuredTrack*> tracks() const;
 
+  // A track of the last view, and where the first view shows its point.
+  struct ReturnedTrack {
+    std::uint32_t track_id = 0;
+    Sighting sighting;
+  };
+  struct Closure {
+    TurnGap gap;
+    std::vector<ReturnedTrack> tracks;
+  };
+
   // How far the last view misses the first, told by features seen only late in the turn. Meaningful
   // after a whole turn; nothing when too few features reach from the last view to the first.
-  std::optional<TurnGap> turnGap() const;
+  std::optional<Closure> closure() const;
 
   const PointEstimator& estimator() const;  // with the poses of all frames so far
 

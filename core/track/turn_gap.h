@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -15,10 +16,17 @@
 
 namespace gyre {
 
+// A feature of the last view that was found again in the first one.
+struct ReturnedFeature {
+  std::size_t late = 0;  // index into the late features
+  Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+};
+
 struct TurnGap {
   double px = 0.0;  // median distance in the first picture
   double mm = 0.0;  // the same on the object
   std::size_t features = 0;
+  std::vector<ReturnedFeature> returned;  // those features
 };
 
 // A feature of the last view, with its point as only the late views place it.

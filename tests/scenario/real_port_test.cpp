@@ -21,11 +21,14 @@
 #include "core/sim/turntable_firmware.h"
 #include "tests/support/command_answer.h"
 #include "tests/support/mjpeg_server.h"
+#include "tests/support/needs_pty.h"
 #include "tests/support/pty_port.h"
 #include "tests/support/temp_dir.h"
 
 namespace gyre {
 namespace {
+
+const auto* const kNeedsPty = testing::AddGlobalTestEnvironment(new test::NeedsPty);
 
 using test::Answer;
 using test::gyre;

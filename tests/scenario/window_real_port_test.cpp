@@ -17,6 +17,7 @@
 #include "core/sim/renderer.h"
 #include "core/sim/turntable_firmware.h"
 #include "tests/support/mjpeg_server.h"
+#include "tests/support/needs_pty.h"
 #include "tests/support/pty_port.h"
 #include "tests/support/qt_application.h"
 #include "ui/banner.h"
@@ -29,6 +30,8 @@
 
 namespace gyre {
 namespace {
+
+const auto* const kNeedsPty = testing::AddGlobalTestEnvironment(new test::NeedsPty);
 
 constexpr int kPatience_ms = 120000;
 constexpr int kViews = 12;

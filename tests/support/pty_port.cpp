@@ -16,9 +16,30 @@
 
 namespace gyre {
 
-std::unique_ptr<PtyPort> PtyPort::make() {
+namespace {
+
+// Negative when the machine has no pseudo terminals.
+int openMaster() {
   const int master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
-  GYRE_CHECK(master >= 0 && grantpt(master) == 0 && unlockpt(master) == 0);
+  if (master < 0 || (grantpt(master) == 0 && unlockpt(master) == 0)) return master;
+  close(master);
+  return -1;
+}
+
+}  // namespace
+
+bool PtyPort::available() {
+  const int master = openMaster();
+  std::array<char, 64> name{};
+  const bool usable = master >= 0 && ptsname_r(master, name.data(), name.size()) == 0 &&
+                      access(name.data(), F_OK) == 0;
+  if (master >= 0) close(master);
+  return usable;
+}
+
+std::unique_ptr<PtyPort> PtyPort::make() {
+  const int master = openMaster();
+  GYRE_CHECK(master >= 0);
   std::array<char, 64> name{};
   GYRE_CHECK(ptsname_r(master, name.data(), name.size()) == 0);
   // Only a terminal that was open once says that it is closed (POLLHUP).

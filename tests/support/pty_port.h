@@ -14,6 +14,8 @@ namespace gyre {
 // Destroying it is pulling the cable.
 class PtyPort final : public BytePort {
  public:
+  // Whether this machine can make one: /dev/pts may be missing in a container.
+  static bool available();
   static std::unique_ptr<PtyPort> make();
   ~PtyPort() override;
   PtyPort(const PtyPort&) = delete;

@@ -17,10 +17,13 @@
 #include "core/base/units.h"
 #include "core/device/protocol_turntable.h"
 #include "core/sim/turntable_firmware.h"
+#include "tests/support/needs_pty.h"
 #include "tests/support/pty_port.h"
 
 namespace gyre {
 namespace {
+
+const auto* const kNeedsPty = testing::AddGlobalTestEnvironment(new test::NeedsPty);
 
 using testing::HasSubstr;
 using testing::IsEmpty;

@@ -8,6 +8,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <opencv2/core.hpp>
 
+#include "core/base/random.h"
 #include "core/base/units.h"
 #include "tests/support/turning_cylinder.h"
 
@@ -61,6 +62,54 @@ TEST(LiveReconstruction, MeasuresTheCylinder) {
     EXPECT_GE(point.views.size(), 3U);
     EXPECT_LT(point.views.back(), static_cast<std::uint32_t>(kViews));
   }
+}
+
+// Frames of a table that does not stand where it was told to.
+Reconstruction reconstructToldWrong(double scale, double white_deg, const RecoverOptions& recover) {
+  ReconstructOptions options;
+  options.recover = recover;
+  auto live =
+      LiveReconstruction::create(test::TurningCylinder{}.calibration(), emptyTable(), options);
+  Random random(1);
+  for (std::size_t view = 0; view < cylinderViews().size(); ++view) {
+    Frame frame = *cylinderViews()[view];
+    if (view > 0) {
+      frame.table_angle_rad =
+          scale * frame.table_angle_rad + radFromDeg(white_deg) * random.gaussian();
+    }
+    EXPECT_TRUE(live->addFrame(shared(std::move(frame))));
+  }
+  return live->finish({}).value();
+}
+
+double rmsAngleError_deg(const Reconstruction& result) {
+  double squares = 0.0;
+  for (std::size_t view = 0; view < result.turning->views.size(); ++view) {
+    const double truth_rad = radFromDeg(kStep_deg * static_cast<double>(view));
+    squares += std::pow(degFromRad(result.turning->views[view].angle_rad - truth_rad), 2) / kViews;
+  }
+  return std::sqrt(squares);
+}
+
+TEST(LiveReconstruction, FindsTheAnglesOfATableThatStandsElsewhereThanTold) {
+  RecoverOptions believing;
+  believing.angle_freedom_deg = 0.0;
+  const Reconstruction told = reconstructToldWrong(1.0, 0.1, believing);
+  const Reconstruction solved = reconstructToldWrong(1.0, 0.1, {});
+  EXPECT_LT(rmsAngleError_deg(solved), 0.03);
+  EXPECT_GT(rmsAngleError_deg(told), 0.07);
+  EXPECT_LT(solved.median_px, 0.8 * told.median_px);
+  EXPECT_GE(solved.cloud.points.size(), told.cloud.points.size());
+}
+
+TEST(LiveReconstruction, FindsASteadyErrorOfTheSteps) {
+  RecoverOptions believing;
+  believing.angle_freedom_deg = 0.0;
+  const Reconstruction told = reconstructToldWrong(0.99, 0.0, believing);
+  const Reconstruction solved = reconstructToldWrong(0.99, 0.0, {});
+  EXPECT_GT(rmsAngleError_deg(told), 0.3);
+  EXPECT_LT(rmsAngleError_deg(solved), 0.12);
+  EXPECT_LT(medianDistance(solved.cloud), 0.08);  // what MeasuresTheCylinder allows
 }
 
 TEST(LiveReconstruction, NormalsLookOutward) {

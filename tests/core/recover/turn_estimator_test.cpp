@@ -37,7 +37,8 @@ struct Trial {
   }
 
   Result<TurnEstimate> estimate(const RecoverOptions& options = {}, const Task& task = {}) const {
-    return estimateTurn(tracks, turn.cam_from_table, angle_sigma_rad, options, task);
+    return estimateTurn(tracks, turn.cam_from_table, {angle_sigma_rad, angle_sigma_rad}, options,
+                        task);
   }
 
   // Mean distance from the truth of the points found, after the best rotation about the axis. [mm]

@@ -109,7 +109,8 @@ TEST(FeatureTracker, MeasuresTheGapOfASlippedTurn) {
       const FramePtr shared_frame = shared(std::move(frame));
       tracker.addFrame(shared_frame, mask.maskOf(*shared_frame));
     }
-    return tracker.turnGap();
+    const auto closure = tracker.closure();
+    return closure ? std::optional(closure->gap) : std::nullopt;
   };
   const auto clean = gapOf(0.0);
   const auto slipped = gapOf(kSlip_deg);
