@@ -36,7 +36,7 @@ function(gyre_add_test folder name)
   foreach(label IN ITEMS data pty)
     if(label IN_LIST arg_LABELS)
       set_tests_properties(${folder}/${name} PROPERTIES
-        SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+        SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]|: Skipped")
     endif()
   endforeach()
 endfunction()
