@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/version.h"
+#include "core/pipeline/options.h"
 
 namespace gyre {
 
@@ -20,6 +21,7 @@ Result<WrittenResults> writeScanResults(const ScanStore& store,
   report.inventory_number = settings.inventory_number;
   report.rights = settings.rights;
   report.versions["Gyre"] = programVersion();
+  report.options = optionTexts(ReconstructOptions());  // a scan leaves them as they are
   report.options["views"] = std::to_string(settings.views);
   report.inputs["turntable"] = settings.turntable;
   report.inputs["camera"] = settings.camera;

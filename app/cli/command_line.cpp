@@ -27,7 +27,7 @@ void addLoudness(CLI::App& command, Loudness& loudness) {
 
 void addSubcommands(CLI::App& app, Loudness& loudness, Run& chosen) {
   for (const auto& add : {addDemo, addScan, addResume, addCalibrate, addReconstruct, addMesh,
-                          addCompare, addPrintTarget, addDevices, addSimFirmware}) {
+                          addCompare, addReproduce, addPrintTarget, addDevices, addSimFirmware}) {
     add(app, chosen);
   }
   for (CLI::App* command : app.get_subcommands({})) addLoudness(*command, loudness);

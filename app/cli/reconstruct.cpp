@@ -8,6 +8,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/cli/option_words.h"
 #include "app/cli/scan_ending.h"
 #include "app/cli/subcommands.h"
 #include "app/version.h"
@@ -22,6 +23,7 @@ struct Words {
   PictureSet set;
   std::string step_deg;
   std::string out;
+  ReconstructOptions options;
 };
 
 Result<void> readStep(const std::string& text, PictureSet& set) {
@@ -37,13 +39,15 @@ Result<void> readStep(const std::string& text, PictureSet& set) {
                "Write a number, such as --step-deg 1.8."};
 }
 
-ResultContext contextOf(const PictureSet& set, const PreparedPictures& prepared) {
+ResultContext contextOf(const PictureSet& set, const PreparedPictures& prepared,
+                        const ReconstructOptions& options) {
   ResultContext context;
   context.calibration = prepared.calibration;
   for (const PictureView& view : prepared.views) context.angles[view.name] = view.table_angle_rad;
   Report& report = context.report;
   report.title = set.pictures.filename().string();
   report.versions["Gyre"] = programVersion();
+  report.options = optionTexts(options);
   report.inputs["pictures"] = set.pictures.string();
   if (!set.calibration.empty()) report.inputs["calibration"] = set.calibration.string();
   if (!set.angles.empty()) report.inputs["angles"] = set.angles.string();
@@ -55,12 +59,13 @@ ResultContext contextOf(const PictureSet& set, const PreparedPictures& prepared)
 int run(const Words& words, Console& console, const Task& task) {
   PictureSet set = words.set;
   if (const auto step = readStep(words.step_deg, set); !step) return console.wrongUse(step.error());
+  if (const auto valid = words.options.validate(); !valid) return console.wrongUse(valid.error());
   const auto prepared = preparePictures(set);
   if (!prepared) return console.fail(prepared.error());
-  const auto reconstruction = reconstruct(*prepared, {}, {}, task.part(0.0, 0.9));
+  const auto reconstruction = reconstruct(*prepared, words.options, {}, task.part(0.0, 0.9));
   if (!reconstruction) return console.fail(reconstruction.error());
-  const auto written =
-      writeResults(words.out, *reconstruction, contextOf(set, *prepared), task.part(0.9, 1.0));
+  const auto written = writeResults(words.out, *reconstruction,
+                                    contextOf(set, *prepared, words.options), task.part(0.9, 1.0));
   if (!written) return console.fail(written.error());
   tellResults(console, *reconstruction, *written);
   const auto enough = enoughPoints(reconstruction->cloud, prepared->views.size());
@@ -83,6 +88,7 @@ void addReconstruct(CLI::App& app, Run& chosen) {
   command->add_option("--background", set.background, "Picture of the empty table, or a folder")
       ->excludes(masks);
   command->add_option("--out", words->out, "Folder for the results")->required();
+  addOptionWords(*command, OptionList::of(words->options), "Fine tuning");
   command->callback([&chosen, words] {
     chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };
   });

@@ -24,6 +24,7 @@ void addDevices(CLI::App& app, Run& chosen);
 void addMesh(CLI::App& app, Run& chosen);
 void addPrintTarget(CLI::App& app, Run& chosen);
 void addReconstruct(CLI::App& app, Run& chosen);
+void addReproduce(CLI::App& app, Run& chosen);
 void addResume(CLI::App& app, Run& chosen);
 void addScan(CLI::App& app, Run& chosen);
 void addSimFirmware(CLI::App& app, Run& chosen);

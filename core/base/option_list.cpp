@@ -87,6 +87,15 @@ const Option* OptionList::find(const std::string& name) const {
   return nullptr;
 }
 
+std::map<std::string, std::string> OptionList::texts() const {
+  std::map<std::string, std::string> texts;
+  for (const Option& option : options_) {
+    const std::string unit = option.info.unit.empty() ? "" : " " + option.info.unit;
+    texts[option.info.name] = option.valueText() + unit;
+  }
+  return texts;
+}
+
 Result<void> OptionList::validate() const {
   for (const Option& option : options_) {
     const bool fits = std::visit(

@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -51,12 +52,21 @@ class OptionList {
   const std::vector<Option>& options() const { return options_; }
   const Option* find(const std::string& name) const;
 
+  // Every option's name with its value and unit, as a report tells them.
+  std::map<std::string, std::string> texts() const;
+
   // Fails on the first number that is out of its range or not finite.
   Result<void> validate() const;
 
  private:
   std::vector<Option> options_;
 };
+
+template <class Options>
+std::map<std::string, std::string> optionTexts(const Options& options) {
+  Options copy = options;
+  return OptionList::of(copy).texts();
+}
 
 // For a struct's own validate(): checks every described number against its range.
 template <class Options>

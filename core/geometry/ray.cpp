@@ -26,6 +26,12 @@ std::optional<Span> crossSlab(const Ray& ray, double z_min, double z_max) {
 
 }  // namespace
 
+Ray rayThrough(const Rigid3& cam_from_frame, const Eigen::Vector2d& normalized) {
+  const Eigen::Matrix3d frame_from_cam = cam_from_frame.rotation.transpose();
+  return {-(frame_from_cam * cam_from_frame.translation),
+          (frame_from_cam * Eigen::Vector3d(normalized.x(), normalized.y(), 1.0)).normalized()};
+}
+
 double distanceToLine(const Ray& ray, const Eigen::Vector3d& point) {
   return ray.direction.cross(point - ray.origin).norm();
 }

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "core/geometry/rigid3.h"
+
 namespace gyre {
 
 // Origin and unit direction in one frame, which the variable's name tells.
@@ -13,6 +15,9 @@ struct Ray {
   Eigen::Vector3d origin;     // mm
   Eigen::Vector3d direction;  // unit length
 };
+
+// Along which a camera sees a normalised picture coordinate: in frame A for a pose cam_from_A.
+Ray rayThrough(const Rigid3& cam_from_frame, const Eigen::Vector2d& normalized);
 
 // Distance of a point from the ray's whole line. [mm]
 double distanceToLine(const Ray& ray, const Eigen::Vector3d& point);

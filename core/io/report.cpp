@@ -10,6 +10,7 @@
 #include "core/base/formatted.h"
 #include "core/base/units.h"
 #include "core/io/atomic_file.h"
+#include "core/io/xml_text.h"
 
 namespace gyre {
 namespace {
@@ -18,30 +19,6 @@ using nlohmann::ordered_json;
 
 ordered_json numberOrNull(const std::optional<double>& number) {
   return number && std::isfinite(*number) ? ordered_json(*number) : ordered_json();
-}
-
-// Characters that mean something to a browser, spelled out.
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        safe.append("&amp;");
-        break;
-      case '<':
-        safe.append("&lt;");
-        break;
-      case '>':
-        safe.append("&gt;");
-        break;
-      case '"':
-        safe.append("&quot;");
-        break;
-      default:
-        safe.push_back(c);
-    }
-  }
-  return safe;
 }
 
 // A view that nobody could judge has no px.
@@ -90,7 +67,7 @@ std::string withUnit(double number, const char* unit) { return formatted("%.3g %
 
 void appendRow(std::string& html, const std::string& name, const std::string& value) {
   if (value.empty()) return;
-  html.append("<tr><th>").append(escaped(name)).append("</th><td>").append(escaped(value));
+  html.append("<tr><th>").append(xmlText(name)).append("</th><td>").append(xmlText(value));
   html.append("</td></tr>\n");
 }
 
@@ -116,6 +93,7 @@ void appendResult(std::string& html, const Report& report) {
   }
   appendRow(html, "Points miss their sightings by (median)", withUnit(report.median_px, "px"));
   appendRow(html, "Points miss their sightings by (rms)", withUnit(report.rms_px, "px"));
+  appendRow(html, "Points miss their rays by (mean)", withUnit(report.ray_distance_mm, "mm"));
   if (report.closure_px) {
     appendRow(html, "Gap after a full turn", withUnit(*report.closure_px, "px"));
   }
@@ -157,6 +135,7 @@ std::string reportJson(const Report& report) {
   root["observations"] = report.observations;
   root["rms_px"] = numberOrNull(report.rms_px);
   root["median_px"] = numberOrNull(report.median_px);
+  root["calibration_error_mm"] = numberOrNull(report.ray_distance_mm);
   root["closure_px"] = numberOrNull(report.closure_px);
   root["closure_mm"] = numberOrNull(report.closure_mm);
   root["drift"] = report.drift.views.empty() ? ordered_json() : driftJson(report.drift);
@@ -174,7 +153,7 @@ std::string reportJson(const Report& report) {
 }
 
 std::string reportHtml(const Report& report) {
-  const std::string title = escaped(report.title.empty() ? "Scan report" : report.title);
+  const std::string title = xmlText(report.title.empty() ? "Scan report" : report.title);
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>";
   html.append(title).append("</title>\n<style>").append(kStyle).append("</style></head>\n<body>");
   html.append("<h1>").append(title).append("</h1>\n");

@@ -32,13 +32,14 @@ struct Report {
   std::string rights;
   std::size_t points = 0;
   std::size_t observations = 0;
-  double rms_px = 0.0;               // reprojection error of the accepted observations
-  double median_px = 0.0;            // likewise
+  double rms_px = 0.0;           // reprojection error of the accepted observations
+  double median_px = 0.0;        // likewise
+  double ray_distance_mm = 0.0;  // mean, of points from their rays: the paper's calibration error
   std::optional<double> closure_px;  // gap after a full turn
   std::optional<double> closure_mm;
   std::optional<SigmaPercentiles> sigma_mm;
   DriftReport drift;                            // without views when nobody watched
-  std::optional<TurningReport> turning;         // where the platter has a ring of markers
+  std::optional<TurningReport> turning;         // where the angles were solved
   std::map<std::string, double> seconds;        // stage -> time spent
   std::map<std::string, std::string> versions;  // program or library -> version
   std::map<std::string, std::string> options;   // name -> value as used

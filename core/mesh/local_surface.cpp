@@ -92,6 +92,10 @@ std::optional<LocalSurface> fitLocalSurface(const KdTree& points, const Eigen::V
   surface.residual_mm = reach_mm * std::sqrt(surface.residual_mm / sum);
   surface.foot = place + reach_mm * c[0] * plane->axes.col(2);
   surface.normal = (plane->axes * Eigen::Vector3d(-c[1], -c[2], 1.0)).normalized();
+  Eigen::Matrix2d second;
+  second << 2.0 * c[3], c[4], c[4], 2.0 * c[5];
+  const auto tangents = plane->axes.leftCols<2>();
+  surface.bending = tangents * second * tangents.transpose() / reach_mm;
   return surface;
 }
 

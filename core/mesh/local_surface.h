@@ -15,6 +15,9 @@ namespace gyre {
 struct LocalSurface {
   Eigen::Vector3d foot = Eigen::Vector3d::Zero();  // where it passes below the place asked for, mm
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit; its sign is arbitrary
+  // How it bends: over an offset d in the tangent plane it rises along the normal by d'Bd / 2.
+  // [1/mm]
+  Eigen::Matrix3d bending = Eigen::Matrix3d::Zero();
   double residual_mm = 0.0;  // weighted r.m.s. distance of the points from it
 };
 

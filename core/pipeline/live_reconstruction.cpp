@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/live_reconstruction.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "core/base/clock.h"
-#include "core/base/median.h"
 #include "core/base/units.h"
-#include "core/geometry/turntable_pose.h"
-#include "core/mesh/point_normals.h"
 #include "core/pipeline/cloud_filter.h"
 #include "core/pipeline/drift_words.h"
+#include "core/pipeline/final_cloud.h"
 #include "core/pipeline/platter_ring.h"
-#include "core/pipeline/solved_turning.h"
-#include "core/recover/turn_estimator.h"
 #include "core/scan/picture_size.h"
 #include "core/track/drift_monitor.h"
 #include "core/track/empty_table_mask.h"
 #include "core/track/feature_tracker.h"
+#include "core/track/grey_pyramid.h"
 #include "core/track/moving_mask.h"
 
 namespace gyre {
@@ -34,48 +29,6 @@ Result<void> checkSize(const CameraModel& camera, const Frame& frame) {
   const cv::Mat& image = frame.image_bgr;
   return checkCalibratedSize({image.cols, image.rows}, camera,
                              "The picture " + frame.name + " has");
-}
-
-// The middle colour of all sightings, each channel by itself: a highlight in some does no harm.
-Rgb middleColour(const std::vector<Rgb>& colours) {
-  Rgb middle{};
-  std::vector<std::uint8_t> values(colours.size());
-  for (std::size_t channel = 0; channel < middle.size(); ++channel) {
-    for (std::size_t i = 0; i < colours.size(); ++i) values[i] = colours[i][channel];
-    middle[channel] = median(values);
-  }
-  return middle;
-}
-
-Point pointOf(const MeasuredTrack& track, const EstimatedPoint& estimated) {
-  Point point;
-  point.position = estimated.position_in_table;
-  point.covariance = estimated.covariance;
-  point.rgb = middleColour(track.colours);
-  for (std::size_t i = 0; i < track.sightings.size(); ++i) {
-    if (estimated.agrees[i] != 0) {
-      point.views.push_back(static_cast<std::uint32_t>(track.sightings[i].view));
-    }
-  }
-  return point;
-}
-
-// For each point the mean direction to the cameras that saw it, in the table frame.
-std::vector<Eigen::Vector3d> directionsToCameras(
-    const PointCloud& cloud, const std::vector<Rigid3>& cam_from_table_of_view) {
-  std::vector<Eigen::Vector3d> centres;
-  centres.reserve(cam_from_table_of_view.size());
-  for (const Rigid3& pose : cam_from_table_of_view) centres.push_back(pose.inverse().translation);
-  std::vector<Eigen::Vector3d> directions;
-  directions.reserve(cloud.points.size());
-  for (const Point& point : cloud.points) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const std::uint32_t view : point.views) {
-      sum += (centres[view] - point.position).normalized();
-    }
-    directions.push_back(sum);
-  }
-  return directions;
 }
 
 }  // namespace
@@ -96,21 +49,10 @@ class LiveReconstruction::Impl {
   Result<Reconstruction> finish(const Task& task) const;
 
  private:
-  struct Candidate {
-    const MeasuredTrack* track = nullptr;
-    std::optional<EstimatedPoint> estimated;
-  };
-
   FramePtr atSeenAngle(const FramePtr& frame);
   ViewDrift latestDrift() const;
   bool coversFullTurn() const;
-  bool plausible(const EstimatedPoint& estimated) const;
   TurningReport turningSoFar() const;
-  Result<TurnEstimate> estimateAll(const std::vector<const MeasuredTrack*>& tracks,
-                                   const std::optional<FeatureTracker::Closure>& closure,
-                                   const TurningReport& turning, const Task& task) const;
-  void measureResiduals(const std::vector<Candidate>& accepted, const std::vector<Rigid3>& poses,
-                        Reconstruction& result) const;
 
   Calibration calibration_;
   ReconstructOptions options_;
@@ -121,6 +63,7 @@ class LiveReconstruction::Impl {
   std::optional<EmptyTableMask> empty_table_mask_;
   MovingMask moving_mask_;
   DriftMonitor drift_;
+  std::vector<cv::Mat> greys_;
   std::vector<TurnedView> views_;  // at the angles that were tracked with
   double ring_seconds_ = 0.0;
   double mask_seconds_ = 0.0;
@@ -159,6 +102,7 @@ Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& told,
                     0.0, false});
   const double masked_s = steadySeconds();
   TrackedFrame tracked = tracker_.addFrame(frame, mask);
+  greys_.push_back(greyOf(frame->image_bgr));
   const double tracked_s = steadySeconds();
   drift_.addFrame(*frame);
   tracked.drift = latestDrift();
@@ -176,20 +120,12 @@ bool LiveReconstruction::Impl::coversFullTurn() const {
   return std::abs(kTurn_rad - turned_rad) < 1.5 * last_step_rad;
 }
 
-bool LiveReconstruction::Impl::plausible(const EstimatedPoint& estimated) const {
-  // The platter's own texture scatters about its height: a point must be clearly above it.
-  const double z_sigma = std::sqrt(estimated.covariance(2, 2));
-  return estimated.agreeing >= options_.recover.min_views &&
-         estimated.chi2_per_freedom <= options_.cloud.max_chi2 &&
-         estimated.position_in_table.z() - 2.0 * z_sigma >= options_.track.min_height_mm;
-}
-
 PointCloudPtr LiveReconstruction::Impl::cloudSoFar() const {
   PointCloud cloud;
   for (const MeasuredTrack* track : tracker_.tracks()) {
     const EstimatedPoint& estimated = *track->point;
-    if (estimated.parallax_rad < kShownParallax_rad || !plausible(estimated)) continue;
-    cloud.points.push_back(pointOf(*track, estimated));
+    if (estimated.parallax_rad < kShownParallax_rad || !plausible(estimated, options_)) continue;
+    cloud.points.push_back(pointOf(*track, track->sightings, estimated));
   }
   const auto keep = judgePoints(cloud, silhouettes_, options_.cloud, Scrutiny::kGlance);
   auto kept = std::make_shared<PointCloud>();
@@ -207,107 +143,17 @@ TurningReport LiveReconstruction::Impl::turningSoFar() const {
   return turning;
 }
 
-Result<TurnEstimate> LiveReconstruction::Impl::estimateAll(
-    const std::vector<const MeasuredTrack*>& tracks,
-    const std::optional<FeatureTracker::Closure>& closure, const TurningReport& turning,
-    const Task& task) const {
-  // Tracks of the last view that the first one shows again: they hold the ends of the turn
-  // together.
-  std::map<std::uint32_t, std::vector<Sighting>> joined;
-  if (closure) {
-    for (const auto& [track_id, sighting] : closure->tracks) joined[track_id] = {sighting};
-  }
-  std::vector<TrackSightings> sightings;
-  sightings.reserve(tracks.size());
-  for (const MeasuredTrack* track : tracks) {
-    const auto found = joined.find(track->track.id);
-    if (found == joined.end()) {
-      sightings.push_back({track->sightings, track->track.id});
-      continue;
-    }
-    std::vector<Sighting>& all = found->second;
-    all.insert(all.end(), track->sightings.begin(), track->sightings.end());
-    sightings.push_back({all, track->track.id});
-  }
-  const AngleBeliefs beliefs = beliefsBeforeSolving(turning.views, options_.recover);
-  auto turn = estimateTurn(sightings, tracker_.estimator().poses(), beliefs.knowledge(),
-                           options_.recover, task);
-  if (!turn) return turn;
-  for (std::size_t i = 0; i < tracks.size(); ++i) {
-    auto& point = turn->points[i];
-    if (point && point->agrees.size() > tracks[i]->sightings.size()) {
-      point->agrees.erase(point->agrees.begin());  // back to one a sighting of the track
-    }
-  }
-  return turn;
-}
-
-void LiveReconstruction::Impl::measureResiduals(const std::vector<Candidate>& accepted,
-                                                const std::vector<Rigid3>& poses,
-                                                Reconstruction& result) const {
-  std::vector<double> distances_px;
-  double squares = 0.0;
-  for (const Candidate& candidate : accepted) {
-    const MeasuredTrack& track = *candidate.track;
-    for (std::size_t i = 0; i < track.sightings.size(); ++i) {
-      if (candidate.estimated->agrees[i] == 0) continue;
-      const Observation& seen = track.track.observations[i];
-      const Rigid3& pose = poses[static_cast<std::size_t>(seen.view)];
-      const auto pixel = calibration_.camera.project(pose * candidate.estimated->position_in_table);
-      if (!pixel) continue;
-      distances_px.push_back((*pixel - seen.pixel).norm());
-      squares += distances_px.back() * distances_px.back();
-    }
-  }
-  result.observations = distances_px.size();
-  if (distances_px.empty()) return;
-  result.rms_px = std::sqrt(squares / static_cast<double>(distances_px.size()));
-  result.median_px = median(std::move(distances_px));
-}
-
 Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const {
-  const double start_s = steadySeconds();
-  const std::vector<const MeasuredTrack*> tracks = tracker_.tracks();
-  const TurningReport turning = turningSoFar();
-  const auto closure = coversFullTurn() ? tracker_.closure() : std::nullopt;
-  auto turn = estimateAll(tracks, closure, turning, task.part(0.0, 0.6));
-  if (!turn) return turn.error();
-  std::vector<Rigid3> poses = tracker_.estimator().poses();
-  for (std::size_t view = 0; view < poses.size(); ++view) {
-    poses[view] = camFromTable(poses[view], turn->corrections_rad[view]);
-  }
-  task.report(0.6, "Weighing points");
-
-  Reconstruction result;
-  result.turning = afterSolving(turning, *turn);
-  std::vector<Candidate> plausibles;
-  for (std::size_t i = 0; i < tracks.size(); ++i) {
-    if (!turn->points[i] || !plausible(*turn->points[i])) continue;
-    result.cloud.points.push_back(pointOf(*tracks[i], *turn->points[i]));
-    plausibles.push_back({tracks[i], std::move(turn->points[i])});
-  }
-  const auto keep = judgePoints(result.cloud, silhouettes_.turned(turn->corrections_rad),
-                                options_.cloud, Scrutiny::kFull);
-  if (task.stopRequested()) return cancelled();
-  std::vector<Candidate> accepted;
-  PointCloud kept;
-  for (std::size_t i = 0; i < keep.size(); ++i) {
-    if (keep[i] == 0) continue;
-    kept.points.push_back(std::move(result.cloud.points[i]));
-    accepted.push_back(std::move(plausibles[i]));
-  }
-  result.cloud = std::move(kept);
-  const auto towards_camera = directionsToCameras(result.cloud, poses);
-  if (auto set = setPointNormals(result.cloud, towards_camera, {}, task); !set) return set.error();
-  measureResiduals(accepted, poses, result);
-  if (closure) result.turn_gap = closure->gap;
-  result.drift = drift_.report();
-  if (ring_) addPlatter(result.drift, ring_->drift());
-  result.seconds = {{"mask", mask_seconds_},
-                    {"track", track_seconds_},
-                    {"drift", drift_seconds_},
-                    {"recover", steadySeconds() - start_s}};
-  if (ring_) result.seconds["ring"] = ring_seconds_;
+  const TrackedTurn turn{tracker_.tracks(), tracker_.estimator().poses(), greys_, turningSoFar(),
+                         coversFullTurn() ? tracker_.closure() : std::nullopt};
+  auto result = finalCloud(turn, calibration_, silhouettes_, options_, task);
+  if (!result) return result.error();
+  result->drift = drift_.report();
+  if (ring_) addPlatter(result->drift, ring_->drift());
+  result->seconds["mask"] = mask_seconds_;
+  result->seconds["track"] = track_seconds_;
+  result->seconds["drift"] = drift_seconds_;
+  if (ring_) result->seconds["ring"] = ring_seconds_;
   task.report(1.0, "Points ready");
   return result;
 }

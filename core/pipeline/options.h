@@ -43,7 +43,10 @@ struct ReconstructOptions {
     recover.describe(visit);
     cloud.describe(visit);
   }
-  Result<void> validate() const { return validateRanges(*this); }
+  Result<void> validate() const {
+    const auto recoverable = recover.validate();  // more than ranges: the solver's name
+    return recoverable ? validateRanges(*this) : recoverable;
+  }
 };
 
 }  // namespace gyre

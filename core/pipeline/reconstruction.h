@@ -19,6 +19,8 @@ struct Reconstruction {
   std::size_t observations = 0;  // in the accepted points
   double rms_px = 0.0;           // reprojection error of the accepted observations
   double median_px = 0.0;
+  // Mean distance of a point from its rays: what the paper calls calibration error. [mm]
+  double ray_distance_mm = 0.0;
   std::optional<TurnGap> turn_gap;        // after a full turn only
   DriftReport drift;                      // whether camera or table were bumped
   std::optional<TurningReport> turning;   // how the table truly turned

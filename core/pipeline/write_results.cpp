@@ -8,6 +8,7 @@
 #include <opencv2/core/version.hpp>
 
 #include "core/base/clock.h"
+#include "core/base/formatted.h"
 #include "core/io/calibration_record_file.h"
 #include "core/io/obj.h"
 #include "core/io/ply.h"
@@ -28,6 +29,7 @@ Report completed(Report report, const Reconstruction& reconstruction) {
   report.observations = reconstruction.observations;
   report.rms_px = reconstruction.rms_px;
   report.median_px = reconstruction.median_px;
+  report.ray_distance_mm = reconstruction.ray_distance_mm;
   if (reconstruction.turn_gap) {
     report.closure_px = reconstruction.turn_gap->px;
     report.closure_mm = reconstruction.turn_gap->mm;
@@ -87,7 +89,7 @@ Result<WrittenResults> writeResults(const fs::path& folder, const Reconstruction
   report.seconds["mesh"] = steadySeconds() - start_s;
   if (surface) {
     written.mesh = std::move(surface->mesh);
-    report.options["alpha_mm"] = std::to_string(surface->alpha_mm);
+    report.options["alpha_mm"] = formatted("%.4g", surface->alpha_mm);
     if (const auto done = writeMesh(folder, written.mesh); !done) return done.error();
   } else if (surface.error().code == Error::Code::kCancelled) {
     return surface.error();

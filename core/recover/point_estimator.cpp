@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kHypotheses = 40;
 constexpr int kMostJudges = 24;         // sightings that judge a hypothesis
+constexpr std::size_t kFinalists = 8;   // hypotheses that all sightings judge
 constexpr double kCauchyScale = 2.385;  // 95 % efficiency on Gaussian noise
 constexpr int kRobustSteps = 6;
 constexpr int kPlainSteps = 3;
@@ -40,12 +41,7 @@ class Problem {
     return poses_[static_cast<std::size_t>(sightings_[i].view)];
   }
 
-  Ray ray(std::size_t i) const {
-    const Eigen::Vector2d& n = sightings_[i].normalized;
-    const Eigen::Matrix3d& r = pose(i).rotation;
-    return {-(r.transpose() * pose(i).translation),
-            (r.transpose() * Eigen::Vector3d(n.x(), n.y(), 1.0)).normalized()};
-  }
+  Ray ray(std::size_t i) const { return rayThrough(pose(i), sightings_[i].normalized); }
 
   // Nothing when the position is not in front of that camera.
   std::optional<Linearized> linearize(std::size_t i, const Eigen::Vector3d& x) const {
@@ -113,31 +109,30 @@ double chi2At(const Problem& problem, std::size_t i, const Eigen::Vector3d& x) {
   return at ? at->chi2 : std::numeric_limits<double>::infinity();
 }
 
-// The best of many two-view intersections, judged by the truncated residuals of some sightings.
-std::optional<Eigen::Vector3d> bestHypothesis(const Problem& problem, double min_parallax_rad,
-                                              Random& random) {
+// What a position costs by some sightings: residuals, truncated at four standard deviations.
+double truncatedCost(const Problem& problem, std::span<const std::size_t> judges,
+                     const Eigen::Vector3d& x) {
+  constexpr double kTruncation = 16.0;
+  double cost = 0.0;
+  for (const std::size_t i : judges) cost += std::min(kTruncation, chi2At(problem, i, x));
+  return cost;
+}
+
+struct Hypothesis {
+  double cost = 0.0;
+  Eigen::Vector3d position;
+};
+
+// Many two-view intersections, each judged by these sightings.
+std::vector<Hypothesis> drawHypotheses(const Problem& problem, double min_parallax_rad,
+                                       std::span<const std::size_t> judges, Random& random) {
   const std::size_t n = problem.size();
   const std::size_t min_gap = n >= 8 ? n / 4 : 1;
-  std::vector<std::size_t> judges(n);
-  for (std::size_t i = 0; i < n; ++i) judges[i] = i;
-  if (n > kMostJudges) {
-    for (std::size_t i = 0; i < kMostJudges; ++i) {
-      std::swap(judges[i], judges[i + random.below(n - i)]);
-    }
-    judges.resize(kMostJudges);
-  }
-  constexpr double kTruncation = 16.0;  // four standard deviations, squared
-  double best_cost = std::numeric_limits<double>::infinity();
-  std::optional<Eigen::Vector3d> best;
+  std::vector<Hypothesis> hypotheses;
+  hypotheses.reserve(kHypotheses);
   const auto try_pair = [&](std::size_t a, std::size_t b) {
     const auto x = intersectTwoRays(problem.ray(a), problem.ray(b), min_parallax_rad / 4.0);
-    if (!x) return;
-    double cost = 0.0;
-    for (const std::size_t i : judges) cost += std::min(kTruncation, chi2At(problem, i, *x));
-    if (cost < best_cost) {
-      best_cost = cost;
-      best = x;
-    }
+    if (x) hypotheses.push_back({truncatedCost(problem, judges, *x), *x});
   };
   if (n * (n - 1) / 2 <= kHypotheses) {
     for (std::size_t a = 0; a < n; ++a) {
@@ -149,7 +144,34 @@ std::optional<Eigen::Vector3d> bestHypothesis(const Problem& problem, double min
       try_pair(a, a + min_gap + random.below(n - a - min_gap));
     }
   }
-  return best;
+  return hypotheses;
+}
+
+// The best of the hypotheses. Of a long track a few sightings judge them all and every sighting
+// judges the best of these: a draw of judges may happen to hold more wrong than right ones.
+std::optional<Eigen::Vector3d> bestHypothesis(const Problem& problem, double min_parallax_rad,
+                                              Random& random) {
+  const std::size_t n = problem.size();
+  std::vector<std::size_t> all(n);
+  for (std::size_t i = 0; i < n; ++i) all[i] = i;
+  std::vector<std::size_t> judges = all;
+  if (n > kMostJudges) {
+    for (std::size_t i = 0; i < kMostJudges; ++i) {
+      std::swap(judges[i], judges[i + random.below(n - i)]);
+    }
+    judges.resize(kMostJudges);
+  }
+  std::vector<Hypothesis> best = drawHypotheses(problem, min_parallax_rad, judges, random);
+  if (best.empty()) return std::nullopt;
+  const auto cheaper = [](const Hypothesis& a, const Hypothesis& b) { return a.cost < b.cost; };
+  if (n > kMostJudges && best.size() > kFinalists) {
+    std::nth_element(best.begin(), best.begin() + kFinalists, best.end(), cheaper);
+    best.resize(kFinalists);
+  }
+  if (n > kMostJudges) {
+    for (Hypothesis& each : best) each.cost = truncatedCost(problem, all, each.position);
+  }
+  return std::min_element(best.begin(), best.end(), cheaper)->position;
 }
 
 // Fills what is reported of a position whose covariance is known.

@@ -106,9 +106,7 @@ class FeatureTracker::Impl {
 };
 
 Ray FeatureTracker::Impl::rayOf(const Sighting& sighting) const {
-  const Rigid3 table_from_cam = pose(sighting.view).inverse();
-  const Eigen::Vector3d ray_in_cam(sighting.normalized.x(), sighting.normalized.y(), 1.0);
-  return {table_from_cam.translation, table_from_cam.rotation * ray_in_cam.normalized()};
+  return rayThrough(pose(sighting.view), sighting.normalized);
 }
 
 Sighting FeatureTracker::Impl::sightingAt(std::int32_t view, const Eigen::Vector2d& pixel,

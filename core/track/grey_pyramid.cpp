@@ -44,9 +44,15 @@ double estimateNoiseSigma(const cv::Mat& grey, const cv::Mat& area) {
   return std::max(kLeastNoise, std::sqrt(kPi / 2.0) / 6.0 * static_cast<double>(*tenth));
 }
 
+cv::Mat greyOf(const cv::Mat& image_bgr) {
+  cv::Mat grey;
+  cv::cvtColor(image_bgr, grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
 GreyPyramid buildGreyPyramid(const cv::Mat& image_bgr, int window_px) {
   GreyPyramid pyramid;
-  cv::cvtColor(image_bgr, pyramid.grey, cv::COLOR_BGR2GRAY);
+  pyramid.grey = greyOf(image_bgr);
   cv::buildOpticalFlowPyramid(pyramid.grey, pyramid.levels, {window_px, window_px}, kMaxLevel);
   return pyramid;
 }

@@ -13,6 +13,8 @@ struct GreyPyramid {
   std::vector<cv::Mat> levels;  // as pyramidal LK wants it: pictures and their derivatives
 };
 
+cv::Mat greyOf(const cv::Mat& image_bgr);  // 8 bit, 1 channel
+
 // window_px: the window LK will use on it. Thread: any.
 GreyPyramid buildGreyPyramid(const cv::Mat& image_bgr, int window_px);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/track/reference_patch.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -31,21 +32,6 @@ float valueAt(const cv::Mat& grey, double x, double y) {
   return upper + fy * (lower - upper);
 }
 
-bool inside(const cv::Mat& grey, const PatchPlace& place, double radius_px) {
-  const Eigen::Vector2d reach = place.shape.cwiseAbs() * Eigen::Vector2d::Constant(radius_px);
-  return place.pixel.x() - reach.x() >= 1.0 && place.pixel.y() - reach.y() >= 1.0 &&
-         place.pixel.x() + reach.x() < grey.cols - 2 && place.pixel.y() + reach.y() < grey.rows - 2;
-}
-
-void sample(const cv::Mat& grey, const PatchPlace& place, int radius_px, float* out) {
-  for (int dy = -radius_px; dy <= radius_px; ++dy) {
-    const Eigen::Vector2d line = place.pixel + place.shape.col(1) * dy;
-    for (int dx = -radius_px; dx <= radius_px; ++dx) {
-      *out++ = valueAt(grey, line.x() + place.shape(0, 0) * dx, line.y() + place.shape(1, 0) * dx);
-    }
-  }
-}
-
 bool plausible(const Eigen::Matrix2d& shape) {
   const double area = shape.determinant();
   const double longest = std::sqrt(shape.squaredNorm());
@@ -67,15 +53,47 @@ void projectOut(Rows& rows, Photometric& photometric) {
 
 }  // namespace
 
+bool ReferencePatch::inside(const cv::Mat& grey, const PatchPlace& place) const {
+  const Eigen::Vector2d reach = place.shape.cwiseAbs() * Eigen::Vector2d::Constant(radius_px_) +
+                                place.bend.cwiseAbs() * highest_mm_;
+  return place.pixel.x() - reach.x() >= 1.0 && place.pixel.y() - reach.y() >= 1.0 &&
+         place.pixel.x() + reach.x() < grey.cols - 2 && place.pixel.y() + reach.y() < grey.rows - 2;
+}
+
+void ReferencePatch::sample(const cv::Mat& grey, const PatchPlace& place, float* out) const {
+  const float* height_mm = heights_mm_.data();
+  for (int dy = -radius_px_; dy <= radius_px_; ++dy) {
+    const Eigen::Vector2d line = place.pixel + place.shape.col(1) * dy;
+    for (int dx = -radius_px_; dx <= radius_px_; ++dx) {
+      const double h_mm = *height_mm++;
+      *out++ = valueAt(grey, line.x() + place.shape(0, 0) * dx + place.bend.x() * h_mm,
+                       line.y() + place.shape(1, 0) * dx + place.bend.y() * h_mm);
+    }
+  }
+}
+
 std::optional<ReferencePatch> ReferencePatch::cut(const cv::Mat& grey, const Eigen::Vector2d& pixel,
-                                                  int side_px) {
+                                                  int side_px, const Eigen::Matrix2d& relief) {
   ReferencePatch patch;
   patch.radius_px_ = side_px / 2;
-  const PatchPlace place{pixel, Eigen::Matrix2d::Identity()};
-  if (!inside(grey, place, patch.radius_px_ + 1)) return std::nullopt;
+  const PatchPlace place{pixel};
+  const double margin_px = patch.radius_px_ + 1.0;  // its gradients look one pixel further
+  const bool within = pixel.x() - margin_px >= 1.0 && pixel.y() - margin_px >= 1.0 &&
+                      pixel.x() + margin_px < grey.cols - 2 &&
+                      pixel.y() + margin_px < grey.rows - 2;
+  if (!within) return std::nullopt;
   const int count = side_px * side_px;
+  patch.heights_mm_.reserve(static_cast<std::size_t>(count));
+  for (int dy = -patch.radius_px_; dy <= patch.radius_px_; ++dy) {
+    for (int dx = -patch.radius_px_; dx <= patch.radius_px_; ++dx) {
+      const Eigen::Vector2d d(dx, dy);
+      patch.heights_mm_.push_back(static_cast<float>(0.5 * d.dot(relief * d)));
+      patch.highest_mm_ =
+          std::max(patch.highest_mm_, static_cast<double>(std::abs(patch.heights_mm_.back())));
+    }
+  }
   patch.values_.resize(static_cast<std::size_t>(count));
-  sample(grey, place, patch.radius_px_, patch.values_.data());
+  patch.sample(grey, place, patch.values_.data());
   Eigen::Map<Eigen::RowVectorXf> values(patch.values_.data(), count);
   values.array() -= values.mean();
   const float length = values.norm();
@@ -116,8 +134,8 @@ std::optional<ReferencePatch::Alignment> ReferencePatch::align(const cv::Mat& gr
   Eigen::VectorXf seen(count);
   Alignment result{start, 0.0};
   for (int step = 0; step < kMostSteps; ++step) {
-    if (!inside(grey, result.place, radius_px_)) return std::nullopt;
-    sample(grey, result.place, radius_px_, seen.data());
+    if (!inside(grey, result.place)) return std::nullopt;
+    sample(grey, result.place, seen.data());
     seen.array() -= seen.mean();
     const float length = seen.norm();
     if (length < kFlat) return std::nullopt;

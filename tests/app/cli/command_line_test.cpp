@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/command_answer.h"
+#include "tests/support/temp_dir.h"
 
 namespace gyre {
 namespace {
@@ -20,7 +21,7 @@ TEST(CommandLine, TellsItsVersionAndItsWords) {
   const Answer help = gyre({"--help"});
   EXPECT_EQ(help.code, 0);
   for (const char* command : {"demo", "scan", "resume", "calibrate", "reconstruct", "mesh",
-                              "compare", "devices", "sim-firmware"}) {
+                              "compare", "devices", "sim-firmware", "reproduce"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const Answer own = gyre({command, "--help"});
     EXPECT_EQ(own.code, 0) << command;
@@ -37,12 +38,34 @@ TEST(CommandLine, AnswersWrongWordsWithTwoAndASentence) {
                                              {"demo", "--views"},
                                              {"demo", "--views", "many", "--out", "x"},
                                              {"demo", "--quiet", "--verbose", "--out", "x"},
-                                             {"compare", "only-one"}}) {
+                                             {"compare", "only-one"},
+                                             {"reproduce", "--table", "4", "--out", "x"},
+                                             {"reconstruct", "x", "--window", "wide", "--out", "x"},
+                                             {"reconstruct", "x", "--window", "3", "--out", "x"}}) {
     const Answer answer = gyre(words);
     EXPECT_EQ(answer.code, 2);
     EXPECT_THAT(answer.err, HasSubstr("--help` lists the words."));
     EXPECT_EQ(answer.out, "");
   }
+}
+
+TEST(CommandLine, RefusesASolverThatIsNone) {
+  const Answer answer = gyre({"reconstruct", "x", "--solver", "best", "--out", "x"});
+  EXPECT_EQ(answer.code, 2);
+  EXPECT_THAT(answer.err, HasSubstr("two-view, squared, absolute or robust"));
+  EXPECT_THAT(gyre({"reconstruct", "--help"}).out, HasSubstr("(default robust)"));
+}
+
+TEST(CommandLine, ReproducesATableIntoAFolder) {
+  const TempDir temp;
+  const Answer answer =
+      gyre({"reproduce", "--table", "2", "--trials", "1", "--out", (temp / "tables").string()});
+  EXPECT_EQ(answer.code, 0) << answer.err;
+  EXPECT_THAT(answer.out, HasSubstr("joint_bound_mm"));
+  for (const char* ending : {"csv", "json", "svg"}) {
+    EXPECT_TRUE(std::filesystem::exists(temp / ("tables/table2." + std::string(ending))));
+  }
+  EXPECT_FALSE(std::filesystem::exists(temp / "tables/table1.csv"));
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ Report sampleReport() {
   report.observations = 70000;
   report.rms_px = 0.31;
   report.median_px = 0.2;
+  report.ray_distance_mm = 0.0625;
   report.seconds = {{"track", 12.5}, {"recover", 1.5}};
   report.sigma_mm = SigmaPercentiles{0.01, 0.02, 0.05};
   report.versions = {{"gyre", "0.1.0"}};
@@ -66,6 +67,7 @@ TEST(ReportJson, HoldsEveryPublishedKey) {
                           "\"observations\": 70000",
                           "\"rms_px\": 0.31",
                           "\"median_px\": 0.2",
+                          "\"calibration_error_mm\": 0.0625",
                           "\"closure_px\": null",
                           "\"closure_mm\": null",
                           "\"seconds\": {",

@@ -22,6 +22,9 @@ TEST(FitLocalSurface, FollowsASphere) {
   EXPECT_NEAR(std::abs(surface->normal.dot(place) / 10.0), 1.0, 1e-4);
   EXPECT_NEAR(surface->foot.norm(), 10.0, 0.002);
   EXPECT_LT(surface->residual_mm, 0.005);
+  // Away from a ball's outward normal the surface falls by d^2 / 2R.
+  const double outward = surface->normal.dot(place) > 0.0 ? 1.0 : -1.0;
+  EXPECT_NEAR(outward * surface->bending.trace() / 2.0, -0.1, 0.01);
 }
 
 TEST(FitLocalSurface, HalvesTheNoise) {
