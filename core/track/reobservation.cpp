@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/track/reobservation.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <optional>
@@ -16,8 +17,11 @@ namespace gyre {
 namespace {
 
 constexpr std::size_t kGrain = 32;
-// Cosine of the most oblique view, 70 degrees: beyond it a patch is squeezed to lines.
+// Cosine of the most oblique view, 70 degrees: beyond it a patch is squeezed to lines. A surface
+// that no view meets more squarely is looked for where it is met almost as squarely as ever.
 constexpr double kLeastFacing = 0.34;
+constexpr double kAlmost = 0.8;
+constexpr double kNeverFacing = 0.15;
 // What interpolation and moving light leave beside the pictures' noise. [px]
 constexpr double kAlignmentFloor_px = 0.03;
 
@@ -80,7 +84,7 @@ std::optional<Appearance> Observer::appearance(const SurfacePoint& point, std::s
 
 std::vector<Observation> Observer::observe(const SurfacePoint& point) const {
   std::optional<std::size_t> reference;
-  double squarest = kLeastFacing;
+  double squarest = kNeverFacing;
   for (const std::size_t view : point.seen_by) {
     const double cosine = facing(point, view);
     if (cosine <= squarest) continue;
@@ -96,6 +100,7 @@ std::vector<Observation> Observer::observe(const SurfacePoint& point) const {
       ReferencePatch::cut(views_[*reference].grey, there->pixel, options_.window_px,
                           offset_by_pixel.transpose() * point.bending_in_table * offset_by_pixel);
   if (!patch) return {};
+  const double least_facing = std::min(kLeastFacing, kAlmost * squarest);
   std::vector<Observation> observations;
   for (std::size_t view = 0; view < views_.size(); ++view) {
     const double sigma_px = std::hypot(patch->sigmaPx(noise_[view]), kAlignmentFloor_px);
@@ -103,7 +108,7 @@ std::vector<Observation> Observer::observe(const SurfacePoint& point) const {
       observations.push_back({static_cast<std::int32_t>(view), there->pixel, sigma_px});
       continue;
     }
-    if (facing(point, view) < kLeastFacing) continue;
+    if (facing(point, view) < least_facing) continue;
     const auto here = appearance(point, view);
     if (!here) continue;
     // A rise moves the point in both pictures; the reference's part is along the tangent plane.

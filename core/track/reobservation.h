@@ -35,7 +35,8 @@ struct SurfacePoint {
 // The observations of each point, ascending views; none when no view gives a patch of it.
 //
 // Of the views that are known to show a point, the one that meets its surface most squarely gives
-// the reference patch. In every view that its normal faces, the patch is laid where the point and
+// the reference patch. In every view that its normal faces within 70 degrees, or nearly as
+// squarely as any where none does, the patch is laid where the point and
 // the surface around it must appear and aligned from there (ReferencePatch): all sightings of a
 // point are held against one patch, so that nothing drifts, and a track reaches as far round as the
 // surface can be seen. A view in which something hides the point does not look like the patch.
