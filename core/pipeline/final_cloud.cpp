@@ -8,10 +8,11 @@
 
 #include "core/base/clock.h"
 #include "core/base/median.h"
+#include "core/base/units.h"
 #include "core/geometry/ray.h"
 #include "core/geometry/turntable_pose.h"
-#include "core/mesh/point_bending.h"
 #include "core/mesh/point_normals.h"
+#include "core/mesh/point_surface.h"
 #include "core/pipeline/solved_turning.h"
 #include "core/recover/turn_estimator.h"
 #include "core/track/reobservation.h"
@@ -19,10 +20,29 @@
 namespace gyre {
 namespace {
 
-// A track of which fewer sightings than this share are found again slid over the surface.
+// A track of which fewer sightings than this share are found again slid over the surface; but only
+// where so many points are found again that the surface is known well enough to say so. From few
+// views it is not.
 constexpr double kConfirmed = 0.5;
+constexpr double kKnownSurface = 0.8;
 // Points are looked for where something may hide them: that many sightings may disagree.
 constexpr double kMayBeHidden = 0.5;
+
+// Neighbours within so many half sides of a patch share little of what a point's own patch shows,
+// and all of the surface.
+constexpr double kFewPatches = 5.0;
+// Points are looked for once more while the angles still move by more than this: where they were
+// far off, the ends of the turn did not find each other at once.
+constexpr double kSettled_rad = radFromDeg(0.05);
+constexpr int kMostRounds = 3;
+
+double furthest(const std::vector<double>& before, const std::vector<double>& after) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    most = std::max(most, std::abs(after[i] - before[i]));
+  }
+  return most;
+}
 
 // A point on its way into the cloud.
 struct Candidate {
@@ -68,16 +88,22 @@ class Finisher {
 
   // Points and angles from the candidates' sightings; drops the candidates that give none.
   Result<void> estimate(const Task& task);
-  // Keeps the candidates that all views believe; the cloud and its normals are theirs.
+  // Drops the candidates without a plausible point; the cloud and its normals are the others'.
+  Result<void> gather(const Task& task);
+  // Keeps what all views believe, once and at the end: points that are judged give each other
+  // company.
   Result<void> judge(const Task& task);
   // Gives the candidates the sightings that every view has of them; drops those that hardly any
   // view shows again.
   Result<void> reobserveAll(const Task& task);
+  const std::vector<double>& correctionsRad() const { return corrections_rad_; }
   Reconstruction take();
 
  private:
   std::vector<Eigen::Vector3d> directionsToCameras() const;
+  void replaceSightings(std::vector<Observation> seen, Candidate& candidate) const;
   void measureResiduals();
+  void widenByScatter();
 
   const TrackedTurn& turn_;
   const Calibration& calibration_;
@@ -85,7 +111,8 @@ class Finisher {
   const ReconstructOptions& options_;
   RecoverOptions recover_;
   std::vector<Candidate> candidates_;
-  std::vector<double> corrections_rad_;
+  std::vector<double> corrections_rad_;  // of the angles, with their standard deviations
+  std::vector<double> sigma_rad_;
   std::vector<Rigid3> poses_;  // at the angles found
   Reconstruction result_;
 };
@@ -106,7 +133,11 @@ Result<void> Finisher::estimate(const Task& task) {
     joined[i].insert(joined[i].end(), candidate.sightings.begin(), candidate.sightings.end());
     tracks.push_back({joined[i], seed});
   }
-  const AngleBeliefs beliefs = beliefsBeforeSolving(turn_.turning.views, recover_);
+  AngleBeliefs beliefs = beliefsBeforeSolving(turn_.turning.views, recover_);
+  if (!corrections_rad_.empty()) {  // solved once already
+    beliefs.start_rad = corrections_rad_;
+    beliefs.expected_sigma_rad = sigma_rad_;
+  }
   auto solved = estimateTurn(tracks, turn_.cam_from_table, beliefs.knowledge(), recover_, task);
   if (!solved) return solved.error();
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
@@ -115,6 +146,7 @@ Result<void> Finisher::estimate(const Task& task) {
     candidates_[i].estimated = std::move(point);
   }
   corrections_rad_ = solved->corrections_rad;
+  sigma_rad_ = solved->sigma_rad;
   poses_ = turn_.cam_from_table;
   for (std::size_t view = 0; view < poses_.size(); ++view) {
     poses_[view] = camFromTable(poses_[view], corrections_rad_[view]);
@@ -123,25 +155,30 @@ Result<void> Finisher::estimate(const Task& task) {
   return {};
 }
 
-Result<void> Finisher::judge(const Task& task) {
+Result<void> Finisher::gather(const Task& task) {
   std::erase_if(candidates_, [&](const Candidate& candidate) {
     return !candidate.estimated || !plausible(*candidate.estimated, options_);
   });
-  PointCloud cloud;
-  cloud.points.reserve(candidates_.size());
-  for (const Candidate& each : candidates_) {
-    cloud.points.push_back(pointOf(*each.track, each.sightings, *each.estimated));
-  }
-  const auto keep =
-      judgePoints(cloud, silhouettes_.turned(corrections_rad_), options_.cloud, Scrutiny::kFull);
-  if (task.stopRequested()) return cancelled();
   result_.cloud.points.clear();
+  result_.cloud.points.reserve(candidates_.size());
+  for (const Candidate& each : candidates_) {
+    result_.cloud.points.push_back(pointOf(*each.track, each.sightings, *each.estimated));
+  }
+  return setPointNormals(result_.cloud, directionsToCameras(), {}, task);
+}
+
+Result<void> Finisher::judge(const Task& task) {
+  const auto keep = judgePoints(result_.cloud, silhouettes_.turned(corrections_rad_),
+                                options_.cloud, Scrutiny::kFull);
+  if (task.stopRequested()) return cancelled();
+  PointCloud cloud;
   std::vector<Candidate> kept;
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (keep[i] == 0) continue;
-    result_.cloud.points.push_back(std::move(cloud.points[i]));
+    cloud.points.push_back(std::move(result_.cloud.points[i]));
     kept.push_back(std::move(candidates_[i]));
   }
+  result_.cloud = std::move(cloud);
   candidates_ = std::move(kept);
   return setPointNormals(result_.cloud, directionsToCameras(), {}, task);
 }
@@ -163,36 +200,45 @@ std::vector<Eigen::Vector3d> Finisher::directionsToCameras() const {
   return directions;
 }
 
+void Finisher::replaceSightings(std::vector<Observation> seen, Candidate& candidate) const {
+  const CameraModel& camera = calibration_.camera;
+  candidate.returned.reset();
+  candidate.sightings.clear();
+  for (const Observation& each : seen) {
+    candidate.sightings.push_back({each.view, camera.normalizedFromPixel(each.pixel),
+                                   each.sigma_px / std::sqrt(camera.fx * camera.fy)});
+  }
+  candidate.observations = std::move(seen);
+}
+
 Result<void> Finisher::reobserveAll(const Task& task) {
   std::vector<GreyView> views;
   views.reserve(poses_.size());
   for (std::size_t i = 0; i < poses_.size(); ++i) views.push_back({turn_.greys[i], poses_[i]});
   std::vector<SurfacePoint> points;
   points.reserve(candidates_.size());
-  const std::vector<Eigen::Matrix3d> bending = pointBending(result_.cloud);
+  const std::vector<PointSurface> surfaces = pointSurfaces(result_.cloud);
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Point& point = result_.cloud.points[i];
-    points.push_back({point.position, point.normal, bending[i], point.views});
+    points.push_back({point.position, point.normal, surfaces[i].bending, point.views});
   }
   auto seen = reobserve(calibration_.camera, views, points, options_.track, task);
   if (!seen) return seen.error();
-  const CameraModel& camera = calibration_.camera;
+  std::vector<char> confirmed(candidates_.size(), 0);
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
-    std::vector<Observation>& found = (*seen)[i];
-    Candidate& candidate = candidates_[i];
-    if (static_cast<double>(found.size()) < kConfirmed * candidate.estimated->agreeing) {
-      candidate.track = nullptr;
-      continue;
-    }
-    candidate.returned.reset();
-    candidate.sightings.clear();
-    for (const Observation& each : found) {
-      candidate.sightings.push_back({each.view, camera.normalizedFromPixel(each.pixel),
-                                     each.sigma_px / std::sqrt(camera.fx * camera.fy)});
-    }
-    candidate.observations = std::move(found);
+    const auto found = static_cast<double>((*seen)[i].size());
+    confirmed[i] = found >= kConfirmed * candidates_[i].estimated->agreeing;
+    if (confirmed[i]) replaceSightings(std::move((*seen)[i]), candidates_[i]);
   }
-  std::erase_if(candidates_, [](const Candidate& each) { return each.track == nullptr; });
+  const auto count = std::count(confirmed.begin(), confirmed.end(), char{1});
+  if (static_cast<double>(count) >= kKnownSurface * static_cast<double>(candidates_.size())) {
+    std::vector<Candidate> kept;
+    kept.reserve(candidates_.size());
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (confirmed[i]) kept.push_back(std::move(candidates_[i]));
+    }
+    candidates_ = std::move(kept);
+  }
   recover_.min_agreeing = std::min(recover_.min_agreeing, 1.0 - kMayBeHidden);
   return {};
 }
@@ -223,7 +269,26 @@ void Finisher::measureResiduals() {
   result_.median_px = median(std::move(distances_px));
 }
 
+// What all sightings of a point share does not show in their residuals: a surface under the patch
+// that is no quadric, light that moves over it. It differs from point to point, so that neighbours
+// disagree by it, along the normal. Neighbours many patches away tell of the object's shape
+// instead.
+void Finisher::widenByScatter() {
+  const std::vector<PointSurface> surfaces = pointSurfaces(result_.cloud);
+  const Eigen::Vector3d centre = poses_.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero())
+                                                : poses_.front().inverse().translation;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    Point& point = result_.cloud.points[i];
+    const double patch_mm =
+        0.5 * options_.track.window_px * (centre - point.position).norm() / calibration_.camera.fx;
+    if (surfaces[i].reach_mm > kFewPatches * patch_mm) continue;
+    point.covariance +=
+        surfaces[i].scatter_mm * surfaces[i].scatter_mm * point.normal * point.normal.transpose();
+  }
+}
+
 Reconstruction Finisher::take() {
+  widenByScatter();
   measureResiduals();
   if (turn_.closure) result_.turn_gap = turn_.closure->gap;
   return std::move(result_);
@@ -259,15 +324,29 @@ Result<Reconstruction> finalCloud(const TrackedTurn& turn, const Calibration& ca
   Finisher finisher(turn, calibration, silhouettes, options);
   const double start_s = steadySeconds();
   if (auto done = finisher.estimate(task.part(0.0, 0.3)); !done) return done.error();
-  if (auto done = finisher.judge(task.part(0.3, 0.4)); !done) return done.error();
-  const double first_s = steadySeconds();
-  if (auto done = finisher.reobserveAll(task.part(0.4, 0.7)); !done) return done.error();
-  const double seen_s = steadySeconds();
-  if (auto done = finisher.estimate(task.part(0.7, 0.9)); !done) return done.error();
-  if (auto done = finisher.judge(task.part(0.9, 1.0)); !done) return done.error();
+  if (auto done = finisher.gather(task.part(0.3, 0.4)); !done) return done.error();
+  double reobserve_s = 0.0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double from = 0.4 + 0.6 * round / kMostRounds;
+    const double each = 0.6 / kMostRounds;
+    const double looked_s = steadySeconds();
+    if (auto done = finisher.reobserveAll(task.part(from, from + 0.5 * each)); !done) {
+      return done.error();
+    }
+    reobserve_s += steadySeconds() - looked_s;
+    const std::vector<double> before_rad = finisher.correctionsRad();
+    if (auto done = finisher.estimate(task.part(from + 0.5 * each, from + 0.9 * each)); !done) {
+      return done.error();
+    }
+    if (auto done = finisher.gather(task.part(from + 0.9 * each, from + each)); !done) {
+      return done.error();
+    }
+    if (furthest(before_rad, finisher.correctionsRad()) < kSettled_rad) break;
+  }
+  if (auto done = finisher.judge(task.part(0.99, 1.0)); !done) return done.error();
   Reconstruction result = finisher.take();
-  result.seconds["reobserve"] = seen_s - first_s;
-  result.seconds["recover"] = first_s - start_s + (steadySeconds() - seen_s);
+  result.seconds["reobserve"] = reobserve_s;
+  result.seconds["recover"] = steadySeconds() - start_s - reobserve_s;
   return result;
 }
 

@@ -34,8 +34,9 @@ Point pointOf(const MeasuredTrack& track, std::span<const Sighting> sightings,
 
 // Estimates all points and angles from the tracks (estimateTurn) and judges them; looks for the
 // points that are kept in every view that can show them (reobserve) and estimates all once more
-// from what was seen there. Gives cloud, residuals, angles and the gap; what else a reconstruction
-// holds is the caller's. kCancelled when stopped. The same result for any number of threads.
+// from what was seen there, again while that moves the angles. Gives cloud, residuals, angles and
+// the gap; what else a reconstruction holds is the caller's. kCancelled when stopped. The same
+// result for any number of threads.
 Result<Reconstruction> finalCloud(const TrackedTurn& turn, const Calibration& calibration,
                                   const SilhouetteRecord& silhouettes,
                                   const ReconstructOptions& options, const Task& task);

@@ -19,6 +19,7 @@ constexpr double kMostSigma_rad = radFromDeg(0.05);
 AngleBeliefs beliefsBeforeSolving(std::span<const TurnedView> views,
                                   const RecoverOptions& options) {
   AngleBeliefs beliefs;
+  beliefs.scale_sigma = options.scale_freedom;
   for (const TurnedView& view : views) {
     const bool first = beliefs.expected_sigma_rad.empty();
     beliefs.expected_sigma_rad.push_back(first       ? 0.0
@@ -27,6 +28,7 @@ AngleBeliefs beliefsBeforeSolving(std::span<const TurnedView> views,
     beliefs.prior_sigma_rad.push_back(first       ? 0.0
                                       : view.seen ? view.sigma_rad
                                                   : radFromDeg(options.angle_freedom_deg));
+    beliefs.turned_rad.push_back(view.seen ? 0.0 : view.told_rad - views.front().told_rad);
   }
   return beliefs;
 }

@@ -11,12 +11,17 @@
 
 namespace gyre {
 
-// What the motor, or a ring of markers where it was seen, leaves open. [rad], one a view
+// What the motor, or a ring of markers where it was seen, leaves open; see AngleKnowledge.
 struct AngleBeliefs {
   std::vector<double> expected_sigma_rad;
   std::vector<double> prior_sigma_rad;
+  std::vector<double> turned_rad;
+  std::vector<double> start_rad;
+  double scale_sigma = 0.0;
 
-  AngleKnowledge knowledge() const { return {expected_sigma_rad, prior_sigma_rad}; }
+  AngleKnowledge knowledge() const {
+    return {expected_sigma_rad, {prior_sigma_rad, turned_rad, scale_sigma, start_rad}};
+  }
 };
 
 // The first view's angle is exact: it fixes the table frame.

@@ -56,10 +56,11 @@ struct Reduced {
 class JointProblem {
  public:
   JointProblem(std::span<const JointTrack> tracks, std::span<const Rigid3> cam_from_table,
-               std::span<const double> prior_sigma_rad, const JointAnglesOptions& options)
+               const AnglePrior& prior, const JointAnglesOptions& options)
       : tracks_(tracks),
         told_(cam_from_table),
-        prior_(prior_sigma_rad),
+        prior_sigma_(prior.sigma_rad),
+        prior_information_(informationOf(prior)),
         scale_squared_(options.cauchy_sigma * options.cauchy_sigma) {}
 
   std::size_t views() const { return told_.size(); }
@@ -92,7 +93,8 @@ class JointProblem {
 
   std::span<const JointTrack> tracks_;
   std::span<const Rigid3> told_;
-  std::span<const double> prior_;
+  std::span<const double> prior_sigma_;
+  Eigen::MatrixXd prior_information_;
   double scale_squared_;
   std::vector<Rigid3> poses_;        // at the corrected angles
   std::vector<std::size_t> chosen_;  // indices into the tracks
@@ -166,10 +168,9 @@ double JointProblem::cost(const State& state) {
   });
   double sum = 0.0;
   for (const double each : costs) sum += each;
-  for (std::size_t view = 0; view < views(); ++view) {
-    if (prior_[view] > 0.0) sum += std::pow(state.corrections_rad[view] / prior_[view], 2);
-  }
-  return sum;
+  const Eigen::Map<const Eigen::VectorXd> off(state.corrections_rad.data(),
+                                              static_cast<Eigen::Index>(views()));
+  return sum + off.dot(prior_information_ * off);
 }
 
 Reduced JointProblem::reduce(const State& state, double damping) const {
@@ -202,17 +203,15 @@ Reduced JointProblem::reduce(const State& state, double damping) const {
     all.information += parts[part].information;
     all.gradient += parts[part].gradient;
   }
+  const Eigen::Map<const Eigen::VectorXd> off(state.corrections_rad.data(), n);
+  all.information += prior_information_;
+  all.gradient -= prior_information_ * off;
   for (Eigen::Index view = 0; view < n; ++view) {
-    const double sigma = prior_[static_cast<std::size_t>(view)];
-    if (sigma > 0.0) {
-      all.information(view, view) += 1.0 / (sigma * sigma);
-      all.gradient[view] -= state.corrections_rad[static_cast<std::size_t>(view)] / (sigma * sigma);
-    } else {
-      all.information.row(view).setZero();
-      all.information.col(view).setZero();
-      all.information(view, view) = 1.0;
-      all.gradient[view] = 0.0;
-    }
+    if (prior_sigma_[static_cast<std::size_t>(view)] > 0.0) continue;
+    all.information.row(view).setZero();
+    all.information.col(view).setZero();
+    all.information(view, view) = 1.0;
+    all.gradient[view] = 0.0;
   }
   return all;
 }
@@ -246,7 +245,7 @@ JointAngles JointProblem::result(const State& state) const {
   Eigen::MatrixXd covariance =
       information.selfadjointView<Eigen::Lower>().ldlt().solve(Eigen::MatrixXd::Identity(n, n));
   for (Eigen::Index view = 0; view < n; ++view) {
-    if (prior_[static_cast<std::size_t>(view)] > 0.0) continue;
+    if (prior_sigma_[static_cast<std::size_t>(view)] > 0.0) continue;
     covariance.row(view).setZero();
     covariance.col(view).setZero();
   }
@@ -318,14 +317,15 @@ Result<void> descend(JointProblem& problem, int most_steps, const Task& task, St
 
 Result<JointAngles> solveJointAngles(std::span<const JointTrack> tracks,
                                      std::span<const Rigid3> cam_from_table,
-                                     std::span<const double> prior_sigma_rad,
-                                     const JointAnglesOptions& options, const Task& task) {
-  GYRE_CHECK(cam_from_table.size() == prior_sigma_rad.size());
+                                     const AnglePrior& prior, const JointAnglesOptions& options,
+                                     const Task& task) {
+  GYRE_CHECK(cam_from_table.size() == prior.sigma_rad.size());
   State state;
-  state.corrections_rad.assign(cam_from_table.size(), 0.0);
+  state.corrections_rad.assign(prior.start_rad.begin(), prior.start_rad.end());
+  state.corrections_rad.resize(cam_from_table.size(), 0.0);
   state.positions.reserve(tracks.size());
   for (const JointTrack& track : tracks) state.positions.push_back(track.position_in_table);
-  JointProblem problem(tracks, cam_from_table, prior_sigma_rad, options);
+  JointProblem problem(tracks, cam_from_table, prior, options);
   problem.setState(state);
   if (problem.choose(state) == 0) {
     return Error{Error::Code::kTooFew, "No feature was seen from directions different enough.",

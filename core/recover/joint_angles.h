@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/geometry/rigid3.h"
+#include "core/recover/angle_prior.h"
 #include "core/recover/sighting.h"
 
 namespace gyre {
@@ -41,14 +42,14 @@ struct JointAnglesOptions {
 // errors of the sightings: the angles and all points are solved together, the points eliminated
 // (Schur's complement), with how far the angles may be off as prior knowledge.
 //
-// cam_from_table: one a view, at the angles told. prior_sigma_rad: one a view; 0 holds the angle.
+// cam_from_table: one a view, at the angles told. The tracks' positions fit prior.start_rad.
 // kTooFew when no track fixes its point, kCancelled when stopped. Costs grow with the sum of the
 // tracks' squared lengths. The same result for any number of threads.
 //
 // Leow et al. (2000) find every point alone; Triggs et al., "Bundle adjustment" (2000), section 6.
 Result<JointAngles> solveJointAngles(std::span<const JointTrack> tracks,
                                      std::span<const Rigid3> cam_from_table,
-                                     std::span<const double> prior_sigma_rad,
-                                     const JointAnglesOptions& options, const Task& task);
+                                     const AnglePrior& prior, const JointAnglesOptions& options,
+                                     const Task& task);
 
 }  // namespace gyre

@@ -26,6 +26,8 @@ struct RecoverOptions {
   // How far from where it was told the table may be found to stand, by all features together, as a
   // standard deviation. Zero believes the motor.
   double angle_freedom_deg = 0.5;
+  // The same for all steps alike being too long or too short, relative.
+  double scale_freedom = 0.02;
 
   template <class V>
   void describe(V& visit) {
@@ -41,6 +43,8 @@ struct RecoverOptions {
           angle_sigma_deg);
     visit({"angle-freedom", "deg", 0, 5, "How far off the table may be found to stand."},
           angle_freedom_deg);
+    visit({"scale-freedom", "", 0, 0.2, "How much too far the table may be found to turn."},
+          scale_freedom);
   }
   Result<void> validate() const;
 };

@@ -20,12 +20,10 @@ class TurnProblem {
  public:
   TurnProblem(std::span<const TrackSightings> tracks, std::span<const Rigid3> cam_from_table,
               const AngleKnowledge& angles, const RecoverOptions& options)
-      : tracks_(tracks),
-        told_(cam_from_table),
-        prior_rad_(angles.prior_sigma_rad),
-        options_(options) {
+      : tracks_(tracks), told_(cam_from_table), prior_(angles.prior), options_(options) {
     estimate_.points.resize(tracks.size());
-    estimate_.corrections_rad.assign(told_.size(), 0.0);
+    estimate_.corrections_rad.assign(prior_.start_rad.begin(), prior_.start_rad.end());
+    estimate_.corrections_rad.resize(told_.size(), 0.0);
     estimate_.sigma_rad.assign(angles.expected_sigma_rad.begin(), angles.expected_sigma_rad.end());
   }
 
@@ -39,7 +37,7 @@ class TurnProblem {
  private:
   std::span<const TrackSightings> tracks_;
   std::span<const Rigid3> told_;
-  std::span<const double> prior_rad_;
+  AnglePrior prior_;
   const RecoverOptions& options_;
   TurnEstimate estimate_;
 };
@@ -79,7 +77,9 @@ Result<void> TurnProblem::solveAngles(double cauchy_sigma, const Task& task) {
   }
   JointAnglesOptions options;
   options.cauchy_sigma = cauchy_sigma;
-  const auto solved = solveJointAngles(joint, told_, prior_rad_, options, task);
+  AnglePrior prior = prior_;
+  prior.start_rad = estimate_.corrections_rad;
+  const auto solved = solveJointAngles(joint, told_, prior, options, task);
   if (!solved) {
     // Without a point there is nothing to correct, which is no failure.
     if (solved.error().code == Error::Code::kTooFew) return {};
@@ -102,10 +102,10 @@ Result<TurnEstimate> estimateTurn(std::span<const TrackSightings> tracks,
                                   const AngleKnowledge& angles, const RecoverOptions& options,
                                   const Task& task) {
   GYRE_CHECK(cam_from_table.size() == angles.expected_sigma_rad.size());
-  GYRE_CHECK(cam_from_table.size() == angles.prior_sigma_rad.size());
+  GYRE_CHECK(cam_from_table.size() == angles.prior.sigma_rad.size());
   TurnProblem problem(tracks, cam_from_table, angles, options);
   if (auto done = problem.estimatePoints(task); !done) return done.error();
-  const bool exact = std::all_of(angles.prior_sigma_rad.begin(), angles.prior_sigma_rad.end(),
+  const bool exact = std::all_of(angles.prior.sigma_rad.begin(), angles.prior.sigma_rad.end(),
                                  [](double sigma) { return sigma == 0.0; });
   if (exact || solverFromName(options.solver) != Solver::kRobust) return problem.take();
   task.report(0.3, "Solving the table's angles");

@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/geometry/rigid3.h"
+#include "core/recover/angle_prior.h"
 #include "core/recover/options.h"
 #include "core/recover/point_estimator.h"
 
@@ -20,12 +21,13 @@ struct TrackSightings {
   std::uint64_t seed = 0;
 };
 
-// What is known of the table's angles beforehand, one a view. [rad]
+// What is known of the table's angles beforehand.
 struct AngleKnowledge {
-  // How far they are off as a rule: it loosens the sightings while points are found one by one.
-  std::span<const double> expected_sigma_rad;
-  // How far they may be found to be off; 0 holds the angle.
-  std::span<const double> prior_sigma_rad;
+  // How far they are off as a rule, beyond prior.start_rad: it loosens the sightings while points
+  // are found one by one. [rad], one a view
+  std::span<const double> expected_sigma_rad = {};
+  // How far they may be found to be off.
+  AnglePrior prior = {};
 };
 
 struct TurnEstimate {

@@ -108,8 +108,8 @@ TEST(LiveReconstruction, FindsASteadyErrorOfTheSteps) {
   const Reconstruction told = reconstructToldWrong(0.99, 0.0, believing);
   const Reconstruction solved = reconstructToldWrong(0.99, 0.0, {});
   EXPECT_GT(rmsAngleError_deg(told), 0.3);
-  EXPECT_LT(rmsAngleError_deg(solved), 0.12);
-  EXPECT_LT(medianDistance(solved.cloud), 0.08);  // what MeasuresTheCylinder allows
+  EXPECT_LT(rmsAngleError_deg(solved), 0.06);
+  EXPECT_LT(medianDistance(solved.cloud), 0.03);
 }
 
 TEST(LiveReconstruction, NormalsLookOutward) {

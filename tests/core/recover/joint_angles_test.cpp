@@ -39,7 +39,7 @@ struct Case {
   }
 
   Result<JointAngles> solve(const JointAnglesOptions& options = {}, const Task& task = {}) const {
-    return solveJointAngles(tracks, turn.cam_from_table, prior_rad, options, task);
+    return solveJointAngles(tracks, turn.cam_from_table, {prior_rad}, options, task);
   }
 
   double angleError(const JointAngles& found, std::size_t view) const {

@@ -153,6 +153,32 @@ TEST(EstimateTurn, FindsASteadyErrorOfTheSteps) {
   EXPECT_GT(trial.error_mm(*believed), 4.0 * trial.error_mm(*solved));
 }
 
+// Told as a scale, 3 % pulls on nothing; told as errors of each view alone, it does.
+TEST(EstimateTurn, FindsALargeErrorOfAllStepsWhenToldOfOne) {
+  SyntheticTurnOptions options = withAngles(0.0, 50);
+  options.angle_scale_error = 0.03;
+  Trial trial(options, 3);
+  trial.angle_sigma_rad.assign(50, radFromDeg(0.1));
+  trial.angle_sigma_rad.front() = 0.0;
+  const auto pulled = trial.estimate();
+  const std::vector<double> loose(50, radFromDeg(1.0));
+  const AnglePrior prior{trial.angle_sigma_rad, trial.turn.told_angles_rad, 0.05};
+  const auto scaled = estimateTurn(trial.tracks, trial.turn.cam_from_table, {loose, prior}, {}, {});
+  ASSERT_TRUE(pulled);
+  ASSERT_TRUE(scaled);
+  EXPECT_LT(trial.error_mm(*scaled), 0.25);
+  const double truth_rad = 0.03 * trial.turn.told_angles_rad.back();
+  EXPECT_NEAR(scaled->corrections_rad.back(), truth_rad, radFromDeg(0.1));
+  EXPECT_LT(pulled->corrections_rad.back(), 0.9 * truth_rad);
+  // Begun there, it stays there.
+  AnglePrior begun = prior;
+  begun.start_rad = scaled->corrections_rad;
+  const auto again =
+      estimateTurn(trial.tracks, trial.turn.cam_from_table, {scaled->sigma_rad, begun}, {}, {});
+  ASSERT_TRUE(again);
+  EXPECT_NEAR(again->corrections_rad.back(), scaled->corrections_rad.back(), radFromDeg(0.02));
+}
+
 TEST(EstimateTurn, LeavesTheAnglesToThePapersSolvers) {
   const Trial trial(withAngles(0.5), 4);
   RecoverOptions options;

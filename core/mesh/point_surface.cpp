@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/point_bending.h"
+#include "core/mesh/point_surface.h"
+
+#include <cmath>
 
 #include "core/base/parallel.h"
 #include "core/mesh/kd_tree.h"
@@ -10,15 +12,16 @@ namespace {
 
 // Points whose normals differ by more belong to the far side of a wall, or to another face.
 constexpr double kLeastCosine = 0.3;
+constexpr double kUnknowns = 6.0;  // of a quadric: it follows so many points of any scatter
 
 }  // namespace
 
-std::vector<Eigen::Matrix3d> pointBending(const PointCloud& cloud, std::size_t neighbours) {
+std::vector<PointSurface> pointSurfaces(const PointCloud& cloud, std::size_t neighbours) {
   std::vector<Eigen::Vector3d> positions;
   positions.reserve(cloud.points.size());
   for (const Point& point : cloud.points) positions.push_back(point.position);
   const KdTree points(std::move(positions));
-  std::vector<Eigen::Matrix3d> bending(points.size(), Eigen::Matrix3d::Zero());
+  std::vector<PointSurface> surfaces(points.size());
   parallelFor(points.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Point& point = cloud.points[i];
@@ -28,10 +31,15 @@ std::vector<Eigen::Matrix3d> pointBending(const PointCloud& cloud, std::size_t n
       });
       const auto surface = fitLocalSurface(points, point.position, near);
       if (!surface) continue;
-      bending[i] = surface->normal.dot(point.normal) < 0.0 ? -surface->bending : surface->bending;
+      surfaces[i].reach_mm = std::sqrt(near.back().squared_mm2);
+      const double side = surface->normal.dot(point.normal) < 0.0 ? -1.0 : 1.0;
+      surfaces[i].bending = side * surface->bending;
+      const auto count = static_cast<double>(near.size());
+      if (count <= kUnknowns) continue;
+      surfaces[i].scatter_mm = surface->residual_mm * std::sqrt(count / (count - kUnknowns));
     }
   });
-  return bending;
+  return surfaces;
 }
 
 }  // namespace gyre
