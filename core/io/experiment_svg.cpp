@@ -97,7 +97,8 @@ class Drawing {
     const std::size_t curves = how_.measured.size() + how_.compared.size();
     const auto in_a_line =
         std::max<std::size_t>(1, static_cast<std::size_t>((width - kLeft) / kLegendColumn));
-    const double legend = kLegendLine * static_cast<double>((curves + in_a_line - 1) / in_a_line);
+    const std::size_t lines = (curves + in_a_line - 1) / in_a_line;
+    const double legend = kLegendLine * static_cast<double>(lines);
     const double height = kTop + kPanelHeight + kBelow + legend;
     std::string text = formatted(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" "
@@ -204,7 +205,8 @@ class Drawing {
     const std::size_t marked = how_.measured.size();
     for (std::size_t i = 0; i < marked + how_.compared.size(); ++i) {
       const double x = kLeft + kLegendColumn * static_cast<double>(i % in_a_line);
-      const double y = top + kLegendLine * static_cast<double>(i / in_a_line);
+      const std::size_t line_of_text = i / in_a_line;
+      const double y = top + kLegendLine * static_cast<double>(line_of_text);
       const bool dashed = i >= marked;
       text += line(x, y, x + 30.0, y, styleOf(dashed ? i - marked : i, dashed));
       if (!dashed) text += mark(i, x + 15.0, y);
