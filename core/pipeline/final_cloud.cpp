@@ -8,12 +8,14 @@
 
 #include "core/base/clock.h"
 #include "core/base/median.h"
+#include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/geometry/ray.h"
 #include "core/geometry/turntable_pose.h"
 #include "core/mesh/point_normals.h"
 #include "core/mesh/point_surface.h"
 #include "core/pipeline/solved_turning.h"
+#include "core/recover/reprojection.h"
 #include "core/recover/turn_estimator.h"
 #include "core/track/reobservation.h"
 
@@ -31,6 +33,9 @@ constexpr double kMayBeHidden = 0.5;
 // Neighbours within so many half sides of a patch share little of what a point's own patch shows,
 // and all of the surface.
 constexpr double kFewPatches = 5.0;
+// Of a two-dimensional normal error of standard deviation 1, half are shorter.
+constexpr double kMedianMiss = 1.1774;
+constexpr double kRoughSigma_px = 0.2;
 // Points are looked for once more while the angles still move by more than this: where they were
 // far off, the ends of the turn did not find each other at once.
 constexpr double kSettled_rad = radFromDeg(0.05);
@@ -104,6 +109,7 @@ class Finisher {
   void replaceSightings(std::vector<Observation> seen, Candidate& candidate) const;
   void measureResiduals();
   void widenByScatter();
+  void believeAsTheyAgree(const AngleBeliefs& beliefs);
 
   const TrackedTurn& turn_;
   const Calibration& calibration_;
@@ -117,7 +123,49 @@ class Finisher {
   Reconstruction result_;
 };
 
+// Sightings err by more than their pictures' noise wherever lens and axis are not known exactly:
+// half of all distances from points that fit as well as they can tell by how much. No sighting is
+// believed beyond that.
+void Finisher::believeAsTheyAgree(const AngleBeliefs& beliefs) {
+  const double px = 1.0 / std::sqrt(calibration_.camera.fx * calibration_.camera.fy);
+  PointEstimator estimator = PointEstimator::create(recover_).value();
+  for (std::size_t view = 0; view < turn_.cam_from_table.size(); ++view) {
+    estimator.addPose(poses_.empty() ? turn_.cam_from_table[view] : poses_[view],
+                      beliefs.expected_sigma_rad[view]);
+  }
+  std::vector<std::vector<double>> misses(candidates_.size());
+  parallelFor(candidates_.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Candidate& candidate = candidates_[i];
+      const auto& known = candidate.estimated ? candidate.estimated : candidate.track->point;
+      if (!known) continue;
+      std::vector<Sighting> alike = candidate.sightings;
+      for (Sighting& each : alike) each.sigma = kRoughSigma_px * px;
+      const auto fitted = estimator.refine(alike, known->position_in_table);
+      if (!fitted) continue;
+      for (const Sighting& each : alike) {
+        const auto at = reproject(estimator.poses()[static_cast<std::size_t>(each.view)],
+                                  each.normalized, fitted->position_in_table);
+        if (at) misses[i].push_back(at->residual.norm());
+      }
+    }
+  });
+  std::vector<double> all;
+  for (const auto& each : misses) all.insert(all.end(), each.begin(), each.end());
+  if (all.empty()) return;
+  const double least_sigma = median(std::move(all)) / kMedianMiss;
+  for (Candidate& candidate : candidates_) {
+    for (Sighting& each : candidate.sightings) each.sigma = std::max(each.sigma, least_sigma);
+  }
+}
+
 Result<void> Finisher::estimate(const Task& task) {
+  AngleBeliefs beliefs = beliefsBeforeSolving(turn_.turning.views, recover_);
+  if (!corrections_rad_.empty()) {  // solved once already
+    beliefs.start_rad = corrections_rad_;
+    beliefs.expected_sigma_rad = sigma_rad_;
+  }
+  believeAsTheyAgree(beliefs);
   // A returned track's sighting in the first view holds the ends of the turn together.
   std::vector<std::vector<Sighting>> joined(candidates_.size());
   std::vector<TrackSightings> tracks;
@@ -132,11 +180,6 @@ Result<void> Finisher::estimate(const Task& task) {
     joined[i].push_back(*candidate.returned);
     joined[i].insert(joined[i].end(), candidate.sightings.begin(), candidate.sightings.end());
     tracks.push_back({joined[i], seed});
-  }
-  AngleBeliefs beliefs = beliefsBeforeSolving(turn_.turning.views, recover_);
-  if (!corrections_rad_.empty()) {  // solved once already
-    beliefs.start_rad = corrections_rad_;
-    beliefs.expected_sigma_rad = sigma_rad_;
   }
   auto solved = estimateTurn(tracks, turn_.cam_from_table, beliefs.knowledge(), recover_, task);
   if (!solved) return solved.error();

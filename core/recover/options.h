@@ -25,7 +25,7 @@ struct RecoverOptions {
   double angle_sigma_deg = 0.03;
   // How far from where it was told the table may be found to stand, by all features together, as a
   // standard deviation. Zero believes the motor.
-  double angle_freedom_deg = 0.5;
+  double angle_freedom_deg = 0.1;
   // The same for all steps alike being too long or too short, relative.
   double scale_freedom = 0.02;
 
