@@ -1,5 +1,6 @@
 // gyre reproduce: the paper's experiments once more, as tables and pictures.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>

@@ -30,8 +30,8 @@ constexpr double kKnownSurface = 0.8;
 // Points are looked for where something may hide them: that many sightings may disagree.
 constexpr double kMayBeHidden = 0.5;
 
-// Neighbours within so many half sides of a patch share little of what a point's own patch shows,
-// and all of the surface.
+// Within so many half sides of a patch neighbours disagree by their errors; further away by the
+// object's shape.
 constexpr double kFewPatches = 5.0;
 // Of a two-dimensional normal error of standard deviation 1, half are shorter.
 constexpr double kMedianMiss = 1.1774;
@@ -91,7 +91,7 @@ class Finisher {
     }
   }
 
-  // Points and angles from the candidates' sightings; drops the candidates that give none.
+  // Points and angles from the candidates' sightings.
   Result<void> estimate(const Task& task);
   // Drops the candidates without a plausible point; the cloud and its normals are the others'.
   Result<void> gather(const Task& task);
@@ -156,6 +156,9 @@ void Finisher::believeAsTheyAgree(const AngleBeliefs& beliefs) {
   const double least_sigma = median(std::move(all)) / kMedianMiss;
   for (Candidate& candidate : candidates_) {
     for (Sighting& each : candidate.sightings) each.sigma = std::max(each.sigma, least_sigma);
+    if (candidate.returned) {
+      candidate.returned->sigma = std::max(candidate.returned->sigma, least_sigma);
+    }
   }
 }
 

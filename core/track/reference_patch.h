@@ -39,9 +39,8 @@ class ReferencePatch {
     double correlation = 0.0;  // of the aligned patch with the reference
   };
 
-  // Finds the patch in another picture, beginning at a place that is right to two pixels or so.
-  // The bend stays
-  // as given. Nothing when it runs away, leaves the picture, or its shape degenerates.
+  // Finds the patch in another picture, beginning at a place that is right to two pixels or so; the
+  // bend stays as given. Nothing when it runs away, leaves the picture, or its shape degenerates.
   std::optional<Alignment> align(const cv::Mat& grey, const PatchPlace& start) const;
 
   // Standard deviation of an alignment's pixel, in either direction on average, at this noise of

@@ -39,7 +39,7 @@ TEST(LiveFeed, GivesThePointsThatAReconstructionWithoutThreadsGives) {
   const auto points = feed.finish({});
   ASSERT_TRUE(expected);
   ASSERT_TRUE(points);
-  ASSERT_GT(points->cloud.points.size(), 20U);
+  ASSERT_GT(points->cloud.points.size(), 50U);
   ASSERT_EQ(points->cloud.points.size(), expected->cloud.points.size());
   for (std::size_t i = 0; i < points->cloud.points.size(); ++i) {
     EXPECT_EQ(points->cloud.points[i].position, expected->cloud.points[i].position);

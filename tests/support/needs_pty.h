@@ -13,8 +13,9 @@ namespace gyre::test {
 class NeedsPty final : public testing::Environment {
  public:
   void SetUp() override {
-    if (!PtyPort::available())
+    if (!PtyPort::available()) {
       GTEST_SKIP() << "This machine has no pseudo terminals: is devpts mounted at /dev/pts?";
+    }
   }
 };
 

@@ -10,6 +10,8 @@
 
 #include "core/base/random.h"
 #include "core/base/units.h"
+#include "core/geometry/turn_between.h"
+#include "core/geometry/turntable_pose.h"
 #include "core/recover/cramer_rao.h"
 #include "core/sim/synthetic_turn.h"
 
@@ -43,26 +45,17 @@ struct Trial {
 
   // Mean distance from the truth of the points found, after the best rotation about the axis. [mm]
   double error_mm(const TurnEstimate& found) const {
-    double cross = 0.0;
-    double dot = 0.0;
+    std::vector<Eigen::Vector3d> seen;
+    std::vector<Eigen::Vector3d> truths;
     for (std::size_t i = 0; i < found.points.size(); ++i) {
       if (!found.points[i]) continue;
-      const Eigen::Vector3d& x = found.points[i]->position_in_table;
-      const Eigen::Vector3d& truth = turn.points_in_table[i];
-      cross += x.x() * truth.y() - x.y() * truth.x();
-      dot += x.x() * truth.x() + x.y() * truth.y();
+      seen.push_back(found.points[i]->position_in_table);
+      truths.push_back(turn.points_in_table[i]);
     }
-    const double turn_rad = std::atan2(cross, dot);
+    const Rigid3 turned = baseFromTable(turnBetween(seen, truths));
     double sum = 0.0;
-    double count = 0.0;
-    for (std::size_t i = 0; i < found.points.size(); ++i) {
-      if (!found.points[i]) continue;
-      count += 1.0;
-      const Eigen::Vector3d& x = found.points[i]->position_in_table;
-      const Eigen::Vector3d turned(std::cos(turn_rad) * x.x() - std::sin(turn_rad) * x.y(),
-                                   std::sin(turn_rad) * x.x() + std::cos(turn_rad) * x.y(), x.z());
-      sum += (turned - turn.points_in_table[i]).norm();
-    }
+    for (std::size_t i = 0; i < seen.size(); ++i) sum += (turned * seen[i] - truths[i]).norm();
+    const auto count = static_cast<double>(seen.size());
     EXPECT_GT(count, 0.95 * static_cast<double>(found.points.size()));
     return sum / count;
   }
