@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kFlat = 1e-9;  // second over first eigenvalue: below this the points are a line
 constexpr std::size_t kQuadricUnknowns = 6;
+// A surface that owes nearly all to its points passes through any of them.
+constexpr double kLeastFree = 0.1;
 
 struct Plane {
   Eigen::Vector3d centre;
@@ -81,15 +83,21 @@ std::optional<LocalSurface> fitLocalSurface(const KdTree& points, const Eigen::V
   }
   normal_matrix.diagonal().head<3>().array() += 1e-9 * sum;
   normal_matrix.diagonal().tail<3>().array() += 1e-3 * sum;
-  const Vector6 c = normal_matrix.ldlt().solve(right);
+  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> solver(normal_matrix);
+  const Vector6 c = solver.solve(right);
   if (!c.allFinite()) return std::nullopt;
 
   LocalSurface surface;
+  double squares = 0.0;
+  double free_weight = 0.0;  // what the surface does not owe to the points themselves
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double miss = rows[i].second - rows[i].first.dot(c);
-    surface.residual_mm += weight[i] * miss * miss;
+    squares += weight[i] * miss * miss;
+    free_weight += weight[i] * (1.0 - weight[i] * rows[i].first.dot(solver.solve(rows[i].first)));
   }
-  surface.residual_mm = reach_mm * std::sqrt(surface.residual_mm / sum);
+  surface.residual_mm = reach_mm * std::sqrt(squares / sum);
+  if (free_weight > kLeastFree * sum)
+    surface.scatter_mm = reach_mm * std::sqrt(squares / free_weight);
   surface.foot = place + reach_mm * c[0] * plane->axes.col(2);
   surface.normal = (plane->axes * Eigen::Vector3d(-c[1], -c[2], 1.0)).normalized();
   Eigen::Matrix2d second;

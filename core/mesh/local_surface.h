@@ -19,6 +19,9 @@ struct LocalSurface {
   // [1/mm]
   Eigen::Matrix3d bending = Eigen::Matrix3d::Zero();
   double residual_mm = 0.0;  // weighted r.m.s. distance of the points from it
+  // Standard deviation of such points about the surface there truly is, which this one, bent
+  // towards them, passes nearer; 0 when there are too few to tell.
+  double scatter_mm = 0.0;
 };
 
 // Fits a plane, then a height field of second degree over it where six or more neighbours allow, to

@@ -12,19 +12,19 @@ namespace {
 
 // Points whose normals differ by more belong to the far side of a wall, or to another face.
 constexpr double kLeastCosine = 0.3;
-constexpr double kUnknowns = 6.0;  // of a quadric: it follows so many points of any scatter
 
 }  // namespace
 
-std::vector<PointSurface> pointSurfaces(const PointCloud& cloud, std::size_t neighbours) {
+std::vector<PointSurface> pointSurfaces(const PointCloud& cloud, std::size_t first,
+                                        std::size_t neighbours) {
   std::vector<Eigen::Vector3d> positions;
   positions.reserve(cloud.points.size());
   for (const Point& point : cloud.points) positions.push_back(point.position);
   const KdTree points(std::move(positions));
-  std::vector<PointSurface> surfaces(points.size());
-  parallelFor(points.size(), 256, [&](std::size_t begin, std::size_t end) {
+  std::vector<PointSurface> surfaces(points.size() - first);
+  parallelFor(surfaces.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Point& point = cloud.points[i];
+      const Point& point = cloud.points[first + i];
       auto near = points.nearest(point.position, neighbours);
       std::erase_if(near, [&](const KdTree::Neighbour& each) {
         return cloud.points[each.index].normal.dot(point.normal) < kLeastCosine;
@@ -33,10 +33,9 @@ std::vector<PointSurface> pointSurfaces(const PointCloud& cloud, std::size_t nei
       if (!surface) continue;
       surfaces[i].reach_mm = std::sqrt(near.back().squared_mm2);
       const double side = surface->normal.dot(point.normal) < 0.0 ? -1.0 : 1.0;
+      surfaces[i].normal = side * surface->normal;
       surfaces[i].bending = side * surface->bending;
-      const auto count = static_cast<double>(near.size());
-      if (count <= kUnknowns) continue;
-      surfaces[i].scatter_mm = surface->residual_mm * std::sqrt(count / (count - kUnknowns));
+      surfaces[i].scatter_mm = surface->scatter_mm;
     }
   });
   return surfaces;

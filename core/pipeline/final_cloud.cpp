@@ -8,14 +8,15 @@
 
 #include "core/base/clock.h"
 #include "core/base/median.h"
-#include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/geometry/ray.h"
 #include "core/geometry/turntable_pose.h"
 #include "core/mesh/point_normals.h"
+#include "core/mesh/point_scatter.h"
 #include "core/mesh/point_surface.h"
+#include "core/pipeline/densify.h"
+#include "core/pipeline/sighting_weights.h"
 #include "core/pipeline/solved_turning.h"
-#include "core/recover/reprojection.h"
 #include "core/recover/turn_estimator.h"
 #include "core/track/reobservation.h"
 
@@ -30,12 +31,12 @@ constexpr double kKnownSurface = 0.8;
 // Points are looked for where something may hide them: that many sightings may disagree.
 constexpr double kMayBeHidden = 0.5;
 
-// Within so many half sides of a patch neighbours disagree by their errors; further away by the
-// object's shape.
-constexpr double kFewPatches = 5.0;
-// Of a two-dimensional normal error of standard deviation 1, half are shorter.
-constexpr double kMedianMiss = 1.1774;
-constexpr double kRoughSigma_px = 0.2;
+// Within so many sides of a patch neighbours disagree by their errors; further away by the object's
+// shape.
+constexpr double kFewPatches = 2.5;
+// Points nearer than this share of a patch err alike. Simulated, where the truth is known: the
+// error bars of duck, mouse and vase then hold what they promise.
+constexpr double kErrAlike = 0.22;
 // Points are looked for once more while the angles still move by more than this: where they were
 // far off, the ends of the turn did not find each other at once.
 constexpr double kSettled_rad = radFromDeg(0.05);
@@ -49,24 +50,10 @@ double furthest(const std::vector<double>& before, const std::vector<double>& af
   return most;
 }
 
-// A point on its way into the cloud.
-struct Candidate {
-  const MeasuredTrack* track = nullptr;
-  std::vector<Observation> observations;  // what the point is estimated from
-  std::vector<Sighting> sightings;        // the same, undistorted
-  std::optional<Sighting> returned;       // in the first view, of a track of the last one
-  std::optional<EstimatedPoint> estimated;
-};
-
-// The middle colour of all sightings, each channel by itself: a highlight in some does no harm.
-Rgb middleColour(const std::vector<Rgb>& colours) {
-  Rgb middle{};
-  std::vector<std::uint8_t> values(colours.size());
-  for (std::size_t channel = 0; channel < middle.size(); ++channel) {
-    for (std::size_t i = 0; i < colours.size(); ++i) values[i] = colours[i][channel];
-    middle[channel] = median(values);
-  }
-  return middle;
+// Where a point is that was looked for around its place: its sightings are all near it.
+std::optional<Eigen::Vector3d> seenAgain(const Candidate& candidate) {
+  if (!candidate.estimated) return std::nullopt;
+  return candidate.estimated->position_in_table;
 }
 
 class Finisher {
@@ -85,9 +72,8 @@ class Finisher {
     candidates_.reserve(turn.tracks.size());
     for (const MeasuredTrack* track : turn.tracks) {
       const auto found = returned.find(track->track.id);
-      candidates_.push_back({track, track->track.observations, track->sightings,
-                             found == returned.end() ? std::nullopt : std::optional(found->second),
-                             std::nullopt});
+      candidates_.push_back(Candidate::ofTrack(
+          *track, found == returned.end() ? std::nullopt : std::optional(found->second)));
     }
   }
 
@@ -101,12 +87,15 @@ class Finisher {
   // Gives the candidates the sightings that every view has of them; drops those that hardly any
   // view shows again.
   Result<void> reobserveAll(const Task& task);
+  // Adds points between those that are known.
+  Result<void> densifyCloud(const Task& task);
   const std::vector<double>& correctionsRad() const { return corrections_rad_; }
   Reconstruction take();
 
  private:
   std::vector<Eigen::Vector3d> directionsToCameras() const;
-  void replaceSightings(std::vector<Observation> seen, Candidate& candidate) const;
+  std::vector<GreyView> viewsAtPoses() const;
+  PointEstimator estimatorAtPoses(std::span<const double> angle_sigma_rad) const;
   void measureResiduals();
   void widenByScatter();
   void believeAsTheyAgree(const AngleBeliefs& beliefs);
@@ -120,44 +109,28 @@ class Finisher {
   std::vector<double> corrections_rad_;  // of the angles, with their standard deviations
   std::vector<double> sigma_rad_;
   std::vector<Rigid3> poses_;  // at the angles found
+  double least_sigma_ = 0.0;   // of a sighting, over the focal length
   Reconstruction result_;
 };
 
-// Sightings err by more than their pictures' noise wherever lens and axis are not known exactly:
-// half of all distances from points that fit as well as they can tell by how much. No sighting is
-// believed beyond that.
-void Finisher::believeAsTheyAgree(const AngleBeliefs& beliefs) {
-  const double px = 1.0 / std::sqrt(calibration_.camera.fx * calibration_.camera.fy);
+PointEstimator Finisher::estimatorAtPoses(std::span<const double> angle_sigma_rad) const {
   PointEstimator estimator = PointEstimator::create(recover_).value();
   for (std::size_t view = 0; view < turn_.cam_from_table.size(); ++view) {
     estimator.addPose(poses_.empty() ? turn_.cam_from_table[view] : poses_[view],
-                      beliefs.expected_sigma_rad[view]);
+                      angle_sigma_rad[view]);
   }
-  std::vector<std::vector<double>> misses(candidates_.size());
-  parallelFor(candidates_.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Candidate& candidate = candidates_[i];
-      const auto& known = candidate.estimated ? candidate.estimated : candidate.track->point;
-      if (!known) continue;
-      std::vector<Sighting> alike = candidate.sightings;
-      for (Sighting& each : alike) each.sigma = kRoughSigma_px * px;
-      const auto fitted = estimator.refine(alike, known->position_in_table);
-      if (!fitted) continue;
-      for (const Sighting& each : alike) {
-        const auto at = reproject(estimator.poses()[static_cast<std::size_t>(each.view)],
-                                  each.normalized, fitted->position_in_table);
-        if (at) misses[i].push_back(at->residual.norm());
-      }
-    }
-  });
-  std::vector<double> all;
-  for (const auto& each : misses) all.insert(all.end(), each.begin(), each.end());
-  if (all.empty()) return;
-  const double least_sigma = median(std::move(all)) / kMedianMiss;
+  return estimator;
+}
+
+// No sighting is believed to be better than it agrees with others.
+void Finisher::believeAsTheyAgree(const AngleBeliefs& beliefs) {
+  const CameraModel& camera = calibration_.camera;
+  least_sigma_ = sightingScatter(candidates_, estimatorAtPoses(beliefs.expected_sigma_rad),
+                                 std::sqrt(camera.fx * camera.fy));
   for (Candidate& candidate : candidates_) {
-    for (Sighting& each : candidate.sightings) each.sigma = std::max(each.sigma, least_sigma);
+    for (Sighting& each : candidate.sightings) each.sigma = std::max(each.sigma, least_sigma_);
     if (candidate.returned) {
-      candidate.returned->sigma = std::max(candidate.returned->sigma, least_sigma);
+      candidate.returned->sigma = std::max(candidate.returned->sigma, least_sigma_);
     }
   }
 }
@@ -175,14 +148,13 @@ Result<void> Finisher::estimate(const Task& task) {
   tracks.reserve(candidates_.size());
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Candidate& candidate = candidates_[i];
-    const std::uint32_t seed = candidate.track->track.id;
     if (!candidate.returned) {
-      tracks.push_back({candidate.sightings, seed});
+      tracks.push_back({candidate.sightings, candidate.seed, seenAgain(candidate)});
       continue;
     }
     joined[i].push_back(*candidate.returned);
     joined[i].insert(joined[i].end(), candidate.sightings.begin(), candidate.sightings.end());
-    tracks.push_back({joined[i], seed});
+    tracks.push_back({joined[i], candidate.seed});
   }
   auto solved = estimateTurn(tracks, turn_.cam_from_table, beliefs.knowledge(), recover_, task);
   if (!solved) return solved.error();
@@ -208,7 +180,7 @@ Result<void> Finisher::gather(const Task& task) {
   result_.cloud.points.clear();
   result_.cloud.points.reserve(candidates_.size());
   for (const Candidate& each : candidates_) {
-    result_.cloud.points.push_back(pointOf(*each.track, each.sightings, *each.estimated));
+    result_.cloud.points.push_back(pointOf(each.rgb, each.sightings, *each.estimated));
   }
   return setPointNormals(result_.cloud, directionsToCameras(), {}, task);
 }
@@ -246,21 +218,16 @@ std::vector<Eigen::Vector3d> Finisher::directionsToCameras() const {
   return directions;
 }
 
-void Finisher::replaceSightings(std::vector<Observation> seen, Candidate& candidate) const {
-  const CameraModel& camera = calibration_.camera;
-  candidate.returned.reset();
-  candidate.sightings.clear();
-  for (const Observation& each : seen) {
-    candidate.sightings.push_back({each.view, camera.normalizedFromPixel(each.pixel),
-                                   each.sigma_px / std::sqrt(camera.fx * camera.fy)});
+std::vector<GreyView> Finisher::viewsAtPoses() const {
+  std::vector<GreyView> views;
+  views.reserve(poses_.size());
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    views.push_back({turn_.kept[i].grey, poses_[i], turn_.kept[i].noise_sigma});
   }
-  candidate.observations = std::move(seen);
+  return views;
 }
 
 Result<void> Finisher::reobserveAll(const Task& task) {
-  std::vector<GreyView> views;
-  views.reserve(poses_.size());
-  for (std::size_t i = 0; i < poses_.size(); ++i) views.push_back({turn_.greys[i], poses_[i]});
   std::vector<SurfacePoint> points;
   points.reserve(candidates_.size());
   const std::vector<PointSurface> surfaces = pointSurfaces(result_.cloud);
@@ -268,13 +235,13 @@ Result<void> Finisher::reobserveAll(const Task& task) {
     const Point& point = result_.cloud.points[i];
     points.push_back({point.position, point.normal, surfaces[i].bending, point.views});
   }
-  auto seen = reobserve(calibration_.camera, views, points, options_.track, task);
+  auto seen = reobserve(calibration_.camera, viewsAtPoses(), points, options_.track, task);
   if (!seen) return seen.error();
   std::vector<char> confirmed(candidates_.size(), 0);
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const auto found = static_cast<double>((*seen)[i].size());
     confirmed[i] = found >= kConfirmed * candidates_[i].estimated->agreeing;
-    if (confirmed[i]) replaceSightings(std::move((*seen)[i]), candidates_[i]);
+    if (confirmed[i]) candidates_[i].setObservations(calibration_.camera, std::move((*seen)[i]));
   }
   const auto count = std::count(confirmed.begin(), confirmed.end(), char{1});
   if (static_cast<double>(count) >= kKnownSurface * static_cast<double>(candidates_.size())) {
@@ -287,6 +254,15 @@ Result<void> Finisher::reobserveAll(const Task& task) {
   }
   recover_.min_agreeing = std::min(recover_.min_agreeing, 1.0 - kMayBeHidden);
   return {};
+}
+
+Result<void> Finisher::densifyCloud(const Task& task) {
+  const PointEstimator estimator = estimatorAtPoses(sigma_rad_);
+  const std::vector<GreyView> views = viewsAtPoses();
+  const SilhouetteRecord silhouettes = silhouettes_.turned(corrections_rad_);
+  const DenseScene scene{calibration_.camera, turn_.kept,   views,
+                         estimator,           least_sigma_, silhouettes};
+  return densify(scene, options_, result_.cloud, candidates_, task);
 }
 
 void Finisher::measureResiduals() {
@@ -317,19 +293,16 @@ void Finisher::measureResiduals() {
 
 // What all sightings of a point share does not show in their residuals: a surface under the patch
 // that is no quadric, light that moves over it. It differs from point to point, so that neighbours
-// disagree by it, along the normal. Neighbours many patches away tell of the object's shape
-// instead.
+// disagree by it, along the normal; but not such that share half their patch.
 void Finisher::widenByScatter() {
-  const std::vector<PointSurface> surfaces = pointSurfaces(result_.cloud);
-  const Eigen::Vector3d centre = poses_.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero())
-                                                : poses_.front().inverse().translation;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+  if (result_.cloud.points.empty()) return;
+  const double patch_mm =
+      options_.track.window_px * mmAPixel(calibration_.camera, poses_.front(), result_.cloud);
+  const std::vector<double> scatter_mm =
+      pointScatter(result_.cloud, {kErrAlike * patch_mm, kFewPatches * patch_mm});
+  for (std::size_t i = 0; i < scatter_mm.size(); ++i) {
     Point& point = result_.cloud.points[i];
-    const double patch_mm =
-        0.5 * options_.track.window_px * (centre - point.position).norm() / calibration_.camera.fx;
-    if (surfaces[i].reach_mm > kFewPatches * patch_mm) continue;
-    point.covariance +=
-        surfaces[i].scatter_mm * surfaces[i].scatter_mm * point.normal * point.normal.transpose();
+    point.covariance += scatter_mm[i] * scatter_mm[i] * point.normal * point.normal.transpose();
   }
 }
 
@@ -342,28 +315,6 @@ Reconstruction Finisher::take() {
 
 }  // namespace
 
-bool plausible(const EstimatedPoint& estimated, const ReconstructOptions& options) {
-  // The platter's own texture scatters about its height: a point must be clearly above it.
-  const double z_sigma = std::sqrt(estimated.covariance(2, 2));
-  return estimated.agreeing >= options.recover.min_views &&
-         estimated.chi2_per_freedom <= options.cloud.max_chi2 &&
-         estimated.position_in_table.z() - 2.0 * z_sigma >= options.track.min_height_mm;
-}
-
-Point pointOf(const MeasuredTrack& track, std::span<const Sighting> sightings,
-              const EstimatedPoint& estimated) {
-  Point point;
-  point.position = estimated.position_in_table;
-  point.covariance = estimated.covariance;
-  point.rgb = middleColour(track.colours);
-  for (std::size_t i = 0; i < sightings.size(); ++i) {
-    if (estimated.agrees[i] != 0) {
-      point.views.push_back(static_cast<std::uint32_t>(sightings[i].view));
-    }
-  }
-  return point;
-}
-
 Result<Reconstruction> finalCloud(const TrackedTurn& turn, const Calibration& calibration,
                                   const SilhouetteRecord& silhouettes,
                                   const ReconstructOptions& options, const Task& task) {
@@ -373,8 +324,8 @@ Result<Reconstruction> finalCloud(const TrackedTurn& turn, const Calibration& ca
   if (auto done = finisher.gather(task.part(0.3, 0.4)); !done) return done.error();
   double reobserve_s = 0.0;
   for (int round = 0; round < kMostRounds; ++round) {
-    const double from = 0.4 + 0.6 * round / kMostRounds;
-    const double each = 0.6 / kMostRounds;
+    const double from = 0.4 + 0.2 * round / kMostRounds;
+    const double each = 0.2 / kMostRounds;
     const double looked_s = steadySeconds();
     if (auto done = finisher.reobserveAll(task.part(from, from + 0.5 * each)); !done) {
       return done.error();
@@ -389,10 +340,14 @@ Result<Reconstruction> finalCloud(const TrackedTurn& turn, const Calibration& ca
     }
     if (furthest(before_rad, finisher.correctionsRad()) < kSettled_rad) break;
   }
+  const double dense_s = steadySeconds();
+  if (auto done = finisher.densifyCloud(task.part(0.6, 0.99)); !done) return done.error();
+  const double grown_s = steadySeconds() - dense_s;
   if (auto done = finisher.judge(task.part(0.99, 1.0)); !done) return done.error();
   Reconstruction result = finisher.take();
   result.seconds["reobserve"] = reobserve_s;
-  result.seconds["recover"] = steadySeconds() - start_s - reobserve_s;
+  result.seconds["recover"] = steadySeconds() - start_s - reobserve_s - grown_s;
+  result.seconds["grow"] = grown_s;
   return result;
 }
 

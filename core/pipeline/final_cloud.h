@@ -13,6 +13,7 @@
 #include "core/pipeline/reconstruction.h"
 #include "core/scan/calibration.h"
 #include "core/track/feature_tracker.h"
+#include "core/track/kept_view.h"
 
 namespace gyre {
 
@@ -20,23 +21,16 @@ namespace gyre {
 struct TrackedTurn {
   std::vector<const MeasuredTrack*> tracks;
   std::vector<Rigid3> cam_from_table;              // one a view, at the angle told
-  std::vector<cv::Mat> greys;                      // one a view, 8 bit
+  std::span<const KeptView> kept;                  // one a view
   TurningReport turning;                           // what is known of the angles beforehand
   std::optional<FeatureTracker::Closure> closure;  // after a whole turn
 };
 
-// A track's point is good enough to be judged by all masks.
-bool plausible(const EstimatedPoint& estimated, const ReconstructOptions& options);
-
-// The point as the cloud holds it, with the views that agree on it; one sighting an agreement.
-Point pointOf(const MeasuredTrack& track, std::span<const Sighting> sightings,
-              const EstimatedPoint& estimated);
-
 // Estimates all points and angles from the tracks (estimateTurn) and judges them; looks for the
 // points that are kept in every view that can show them (reobserve) and estimates all once more
-// from what was seen there, again while that moves the angles. Gives cloud, residuals, angles and
-// the gap; what else a reconstruction holds is the caller's. kCancelled when stopped. The same
-// result for any number of threads.
+// from what was seen there, again while that moves the angles; and grows points between them
+// (densify). Gives cloud, residuals, angles and the gap; what else a reconstruction holds is the
+// caller's. kCancelled when stopped. The same result for any number of threads.
 Result<Reconstruction> finalCloud(const TrackedTurn& turn, const Calibration& calibration,
                                   const SilhouetteRecord& silhouettes,
                                   const ReconstructOptions& options, const Task& task);

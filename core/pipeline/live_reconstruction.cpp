@@ -8,6 +8,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/units.h"
+#include "core/pipeline/candidate.h"
 #include "core/pipeline/cloud_filter.h"
 #include "core/pipeline/drift_words.h"
 #include "core/pipeline/final_cloud.h"
@@ -63,7 +64,7 @@ class LiveReconstruction::Impl {
   std::optional<EmptyTableMask> empty_table_mask_;
   MovingMask moving_mask_;
   DriftMonitor drift_;
-  std::vector<cv::Mat> greys_;
+  std::vector<KeptView> kept_;
   std::vector<TurnedView> views_;  // at the angles that were tracked with
   double ring_seconds_ = 0.0;
   double mask_seconds_ = 0.0;
@@ -102,7 +103,7 @@ Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& told,
                     0.0, false});
   const double masked_s = steadySeconds();
   TrackedFrame tracked = tracker_.addFrame(frame, mask);
-  greys_.push_back(greyOf(frame->image_bgr));
+  kept_.push_back(keepView(frame->image_bgr, mask));
   const double tracked_s = steadySeconds();
   drift_.addFrame(*frame);
   tracked.drift = latestDrift();
@@ -125,7 +126,7 @@ PointCloudPtr LiveReconstruction::Impl::cloudSoFar() const {
   for (const MeasuredTrack* track : tracker_.tracks()) {
     const EstimatedPoint& estimated = *track->point;
     if (estimated.parallax_rad < kShownParallax_rad || !plausible(estimated, options_)) continue;
-    cloud.points.push_back(pointOf(*track, track->sightings, estimated));
+    cloud.points.push_back(pointOf(middleColour(track->colours), track->sightings, estimated));
   }
   const auto keep = judgePoints(cloud, silhouettes_, options_.cloud, Scrutiny::kGlance);
   auto kept = std::make_shared<PointCloud>();
@@ -144,7 +145,7 @@ TurningReport LiveReconstruction::Impl::turningSoFar() const {
 }
 
 Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const {
-  const TrackedTurn turn{tracker_.tracks(), tracker_.estimator().poses(), greys_, turningSoFar(),
+  const TrackedTurn turn{tracker_.tracks(), tracker_.estimator().poses(), kept_, turningSoFar(),
                          coversFullTurn() ? tracker_.closure() : std::nullopt};
   auto result = finalCloud(turn, calibration_, silhouettes_, options_, task);
   if (!result) return result.error();

@@ -18,6 +18,9 @@ struct CloudOptions {
   double max_outside = 0.08;
   // Points with fewer neighbours than this within 2.5 % of the cloud's size are specks.
   int min_neighbours = 4;
+  // Between the features points are grown over the surface, so far apart in the pictures; 0 keeps
+  // the features alone.
+  double point_spacing_px = 3.0;
 
   template <class V>
   void describe(V& visit) {
@@ -28,6 +31,8 @@ struct CloudOptions {
           max_outside);
     visit({"min-neighbours", "", 0, 100, "Points with fewer neighbours are specks."},
           min_neighbours);
+    visit({"point-spacing", "px", 0, 64, "Distance of the points grown between features; 0: none."},
+          point_spacing_px);
   }
   Result<void> validate() const { return validateRanges(*this); }
 };

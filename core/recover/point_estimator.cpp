@@ -211,6 +211,30 @@ bool fillCovariance(const Problem& problem, const Weight& weight, EstimatedPoint
   return point.covariance.allFinite();
 }
 
+// From a start nearby: Cauchy weights, then plainly those that agree.
+std::optional<EstimatedPoint> settle(const Problem& problem, const RecoverOptions& options,
+                                     const Eigen::Vector3d& start) {
+  const double least_agreeing =
+      std::max(static_cast<double>(options.min_views),
+               options.min_agreeing * static_cast<double>(problem.size()));
+  EstimatedPoint point;
+  point.position_in_table = start;
+  const auto cauchy = [](std::size_t, double chi2) { return cauchyWeight(chi2); };
+  if (!gaussNewton(problem, kRobustSteps, cauchy, point.position_in_table)) return std::nullopt;
+  const auto agreeing = [&](std::size_t i, double) { return point.agrees[i] != 0 ? 1.0 : 0.0; };
+  for (int round = 0; round < 2; ++round) {
+    judge(problem, options.outlier_sigma, point);
+    if (point.agreeing < least_agreeing) return std::nullopt;
+    if (!gaussNewton(problem, kPlainSteps, agreeing, point.position_in_table)) return std::nullopt;
+  }
+  judge(problem, options.outlier_sigma, point);
+  if (point.agreeing < least_agreeing) return std::nullopt;
+  point.parallax_rad = agreeingParallax(problem, point);
+  if (point.parallax_rad < radFromDeg(options.min_parallax_deg)) return std::nullopt;
+  if (!fillCovariance(problem, agreeing, point)) return std::nullopt;
+  return point;
+}
+
 // The paper's readings: no sighting is doubted.
 std::optional<EstimatedPoint> estimateByPaper(Solver solver, const Problem& problem,
                                               double min_parallax_rad) {
@@ -257,26 +281,14 @@ std::optional<EstimatedPoint> PointEstimator::estimate(std::span<const Sighting>
   auto start = bestHypothesis(problem, min_parallax_rad, random);
   if (!start) return std::nullopt;
 
-  EstimatedPoint point;
-  point.position_in_table = *start;
-  const auto cauchy = [](std::size_t, double chi2) { return cauchyWeight(chi2); };
-  if (!gaussNewton(problem, kRobustSteps, cauchy, point.position_in_table)) return std::nullopt;
-  const auto agreeing = [&](std::size_t i, double) { return point.agrees[i] != 0 ? 1.0 : 0.0; };
-  for (int round = 0; round < 2; ++round) {
-    judge(problem, options_.outlier_sigma, point);
-    if (point.agreeing < options_.min_views || point.agreeing < options_.min_agreeing * n) {
-      return std::nullopt;
-    }
-    if (!gaussNewton(problem, kPlainSteps, agreeing, point.position_in_table)) return std::nullopt;
-  }
-  judge(problem, options_.outlier_sigma, point);
-  if (point.agreeing < options_.min_views || point.agreeing < options_.min_agreeing * n) {
-    return std::nullopt;
-  }
-  point.parallax_rad = agreeingParallax(problem, point);
-  if (point.parallax_rad < min_parallax_rad) return std::nullopt;
-  if (!fillCovariance(problem, agreeing, point)) return std::nullopt;
-  return point;
+  return settle(problem, options_, *start);
+}
+
+std::optional<EstimatedPoint> PointEstimator::estimateFrom(
+    std::span<const Sighting> sightings, const Eigen::Vector3d& position_in_table) const {
+  if (solver_ != Solver::kRobust) return estimate(sightings, 0);
+  if (static_cast<int>(sightings.size()) < options_.min_views) return std::nullopt;
+  return settle(Problem(sightings, poses_, angle_variances_), options_, position_in_table);
 }
 
 std::optional<EstimatedPoint> PointEstimator::refine(

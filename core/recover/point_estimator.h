@@ -46,6 +46,11 @@ class PointEstimator {
   std::optional<EstimatedPoint> estimate(std::span<const Sighting> sightings,
                                          std::uint64_t seed) const;
 
+  // The same from a position that is known to be right to some pixels: the sightings are not asked
+  // where else the point might be.
+  std::optional<EstimatedPoint> estimateFrom(std::span<const Sighting> sightings,
+                                             const Eigen::Vector3d& position_in_table) const;
+
   // Refines a position that is nearly right already, with Cauchy weights: for a live track that
   // has gained a sighting. Returns nothing when the point runs behind a camera.
   std::optional<EstimatedPoint> refine(std::span<const Sighting> sightings,

@@ -52,7 +52,9 @@ Result<void> TurnProblem::estimatePoints(const Task& task) {
   parallelFor(tracks_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     if (task.stopRequested()) return;
     for (std::size_t i = begin; i < end; ++i) {
-      estimate_.points[i] = estimator->estimate(tracks_[i].sightings, tracks_[i].seed);
+      const TrackSightings& track = tracks_[i];
+      estimate_.points[i] = track.start ? estimator->estimateFrom(track.sightings, *track.start)
+                                        : estimator->estimate(track.sightings, track.seed);
     }
   });
   if (task.stopRequested()) return cancelled();

@@ -19,6 +19,8 @@ namespace gyre {
 struct TrackSightings {
   std::span<const Sighting> sightings;
   std::uint64_t seed = 0;
+  // Where the point is to some pixels, if that is known already. In the table frame, mm.
+  std::optional<Eigen::Vector3d> start = std::nullopt;
 };
 
 // What is known of the table's angles beforehand.

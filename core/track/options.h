@@ -24,6 +24,8 @@ struct TrackOptions {
   double min_correlation = 0.8;
   // Points lower than this above the platter are taken for the platter's own texture.
   double min_height_mm = 1.0;
+  // In so many views, spread evenly among those that face it, a point is looked for at the end.
+  int most_views = 60;
 
   template <class V>
   void describe(V& visit) {
@@ -40,6 +42,8 @@ struct TrackOptions {
     visit({"min-correlation", "", 0, 0.999, "Least correlation between neighbouring views."},
           min_correlation);
     visit({"min-height", "mm", -10, 100, "Points below this height are platter."}, min_height_mm);
+    visit({"most-views", "", 3, 100000, "Views in which a point is looked for at the end."},
+          most_views);
   }
   Result<void> validate() const { return validateRanges(*this); }
 };

@@ -11,11 +11,15 @@ namespace gyre {
 namespace {
 
 constexpr int kMostSteps = 10;
-constexpr double kSettled_px = 0.003;
+constexpr double kSettled_px = 0.01;
 constexpr double kRunAway_px = 3.0;
 // Shapes squeezed or stretched beyond this are no view of the same surface.
 constexpr double kLeastStretch = 0.4;
 constexpr double kMostStretch = 2.5;
+// Added so that positions are positive and cutting their fraction off rounds down; no patch reaches
+// so far.
+constexpr int kAboveWhole = 256;
+constexpr auto kAbove = static_cast<float>(kAboveWhole);
 constexpr float kFlat = 4.0F;  // grey levels; length of a centred patch that holds but noise
 
 // Bilinear value; the caller has made sure that the neighbours exist.
@@ -62,12 +66,33 @@ bool ReferencePatch::inside(const cv::Mat& grey, const PatchPlace& place) const 
 
 void ReferencePatch::sample(const cv::Mat& grey, const PatchPlace& place, float* out) const {
   const float* height_mm = heights_mm_.data();
+  const auto stride = static_cast<std::ptrdiff_t>(grey.step[0]);
+  // Counted from a pixel nearby, floats are exact to 1e-5 px.
+  const int column = static_cast<int>(place.pixel.x());
+  const int row = static_cast<int>(place.pixel.y());
+  const std::uint8_t* origin = grey.ptr<std::uint8_t>(row) + column;
+  const Eigen::Matrix2f shape = place.shape.cast<float>();
+  const Eigen::Vector2f bend = place.bend.cast<float>();
+  const Eigen::Vector2f middle(static_cast<float>(place.pixel.x() - column),
+                               static_cast<float>(place.pixel.y() - row));
   for (int dy = -radius_px_; dy <= radius_px_; ++dy) {
-    const Eigen::Vector2d line = place.pixel + place.shape.col(1) * dy;
+    const Eigen::Vector2f line = middle + shape.col(1) * static_cast<float>(dy);
     for (int dx = -radius_px_; dx <= radius_px_; ++dx) {
-      const double h_mm = *height_mm++;
-      *out++ = valueAt(grey, line.x() + place.shape(0, 0) * dx + place.bend.x() * h_mm,
-                       line.y() + place.shape(1, 0) * dx + place.bend.y() * h_mm);
+      const float h_mm = *height_mm++;
+      const auto along = static_cast<float>(dx);
+      const float x = line.x() + shape(0, 0) * along + bend.x() * h_mm + kAbove;
+      const float y = line.y() + shape(1, 0) * along + bend.y() * h_mm + kAbove;
+      const int whole_x = static_cast<int>(x);
+      const int whole_y = static_cast<int>(y);
+      const float fx = x - static_cast<float>(whole_x);
+      const float fy = y - static_cast<float>(whole_y);
+      const std::uint8_t* top = origin + (whole_y - kAboveWhole) * stride + (whole_x - kAboveWhole);
+      const std::uint8_t* bottom = top + stride;
+      const auto a = static_cast<float>(top[0]);
+      const auto b = static_cast<float>(bottom[0]);
+      const float upper = a + fx * (static_cast<float>(top[1]) - a);
+      const float lower = b + fx * (static_cast<float>(bottom[1]) - b);
+      *out++ = upper + fy * (lower - upper);
     }
   }
 }

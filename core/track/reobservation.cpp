@@ -10,7 +10,6 @@
 #include <Eigen/LU>
 
 #include "core/base/parallel.h"
-#include "core/track/grey_pyramid.h"
 #include "core/track/reference_patch.h"
 
 namespace gyre {
@@ -42,14 +41,11 @@ Eigen::Matrix<double, 3, 2> tangentsOf(const SurfacePoint& point) {
 class Observer {
  public:
   Observer(const CameraModel& camera, std::span<const GreyView> views, const TrackOptions& options)
-      : camera_(camera), views_(views), options_(options), noise_(views.size()) {
+      : camera_(camera), views_(views), options_(options) {
     centres_.reserve(views.size());
     for (const GreyView& view : views) {
       centres_.push_back(view.cam_from_table.inverse().translation);
     }
-    parallelFor(views.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) noise_[i] = estimateNoiseSigma(views_[i].grey);
-    });
   }
 
   std::vector<Observation> observe(const SurfacePoint& point) const;
@@ -58,13 +54,13 @@ class Observer {
   double facing(const SurfacePoint& point, std::size_t view) const {
     return point.normal_in_table.dot((centres_[view] - point.position_in_table).normalized());
   }
+  std::vector<std::size_t> facingViews(const SurfacePoint& point, std::size_t reference) const;
   std::optional<Appearance> appearance(const SurfacePoint& point, std::size_t view) const;
 
   const CameraModel& camera_;
   std::span<const GreyView> views_;
   const TrackOptions& options_;
   std::vector<Eigen::Vector3d> centres_;  // of the cameras, in the table frame
-  std::vector<double> noise_;             // grey levels, one a view
 };
 
 std::optional<Appearance> Observer::appearance(const SurfacePoint& point, std::size_t view) const {
@@ -80,6 +76,26 @@ std::optional<Appearance> Observer::appearance(const SurfacePoint& point, std::s
       camera_.pixelJacobian(normalized) * normalized_by_cam * pose.rotation;
   return Appearance{*pixel, pixel_by_table * tangentsOf(point),
                     pixel_by_table * point.normal_in_table};
+}
+
+// The views to look in, ascending, the reference among them.
+std::vector<std::size_t> Observer::facingViews(const SurfacePoint& point,
+                                               std::size_t reference) const {
+  const double least = std::min(kLeastFacing, kAlmost * facing(point, reference));
+  std::vector<std::size_t> facing_views;
+  for (std::size_t view = 0; view < views_.size(); ++view) {
+    if (view == reference || facing(point, view) >= least) facing_views.push_back(view);
+  }
+  const auto most = static_cast<std::size_t>(options_.most_views);
+  if (facing_views.size() <= most) return facing_views;
+  std::vector<std::size_t> spread;
+  for (std::size_t k = 0; k + 1 < most; ++k) {
+    spread.push_back(facing_views[k * (facing_views.size() - 1) / (most - 2)]);
+  }
+  spread.push_back(reference);
+  std::sort(spread.begin(), spread.end());
+  spread.erase(std::unique(spread.begin(), spread.end()), spread.end());
+  return spread;
 }
 
 std::vector<Observation> Observer::observe(const SurfacePoint& point) const {
@@ -100,15 +116,14 @@ std::vector<Observation> Observer::observe(const SurfacePoint& point) const {
       ReferencePatch::cut(views_[*reference].grey, there->pixel, options_.window_px,
                           offset_by_pixel.transpose() * point.bending_in_table * offset_by_pixel);
   if (!patch) return {};
-  const double least_facing = std::min(kLeastFacing, kAlmost * squarest);
   std::vector<Observation> observations;
-  for (std::size_t view = 0; view < views_.size(); ++view) {
-    const double sigma_px = std::hypot(patch->sigmaPx(noise_[view]), kAlignmentFloor_px);
+  for (const std::size_t view : facingViews(point, *reference)) {
+    const double sigma_px =
+        std::hypot(patch->sigmaPx(views_[view].noise_sigma), kAlignmentFloor_px);
     if (view == *reference) {
       observations.push_back({static_cast<std::int32_t>(view), there->pixel, sigma_px});
       continue;
     }
-    if (facing(point, view) < least_facing) continue;
     const auto here = appearance(point, view);
     if (!here) continue;
     // A rise moves the point in both pictures; the reference's part is along the tangent plane.

@@ -20,8 +20,9 @@ namespace gyre {
 
 // A view to look in. Views are counted from 0.
 struct GreyView {
-  cv::Mat grey;           // 8 bit, 1 channel
-  Rigid3 cam_from_table;  // where the table truly stood
+  cv::Mat grey;              // 8 bit, 1 channel
+  Rigid3 cam_from_table;     // where the table truly stood
+  double noise_sigma = 0.0;  // of the grey, in grey levels
 };
 
 // A point with the surface around it.
@@ -40,6 +41,7 @@ struct SurfacePoint {
 // the surface around it must appear and aligned from there (ReferencePatch): all sightings of a
 // point are held against one patch, so that nothing drifts, and a track reaches as far round as the
 // surface can be seen. A view in which something hides the point does not look like the patch.
+// Where more views face a point than options.most_views, they are taken evenly among them.
 //
 // Fails when the task is stopped. The same result for any number of threads.
 Result<std::vector<std::vector<Observation>>> reobserve(const CameraModel& camera,

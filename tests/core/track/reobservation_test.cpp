@@ -25,8 +25,9 @@ const std::vector<GreyView>& cylinderViews() {
     std::vector<GreyView> views;
     for (int view = 0; view < kViews; ++view) {
       const double angle_rad = radFromDeg(10.0 * view);
-      views.push_back({greyOf(world.render(angle_rad).image_bgr),
-                       camFromTable(*world.calibration().cam_from_table, angle_rad)});
+      const cv::Mat grey = greyOf(world.render(angle_rad).image_bgr);
+      views.push_back({grey, camFromTable(*world.calibration().cam_from_table, angle_rad),
+                       estimateNoiseSigma(grey)});
     }
     return views;
   }();
