@@ -25,6 +25,8 @@ namespace fs = std::filesystem;
 
 // Views closer than this are the same stop of the table.
 constexpr double kSameAngle_rad = 1e-6;
+// Until the steps are found this keeps the views in order.
+constexpr double kInOrder_rad = 1e-3;
 
 Error invalid(std::string what, std::string advice) {
   return {Error::Code::kInvalidInput, std::move(what), std::move(advice)};
@@ -70,9 +72,10 @@ Result<PreparedPictures> openFolder(const PictureSet& set) {
     return invalid("Pictures alone do not say where camera and table are.",
                    "Name their calibration with --calibration FILE.");
   }
-  if (set.angles.empty() && !set.step_rad) {
+  if (set.angles.empty() && !set.step_rad && !set.find_steps) {
     return invalid("Nothing says how far the table turned between the pictures.",
-                   "Name their angles with --angles FILE, or the step with --step-deg.");
+                   "Name their angles with --angles FILE, or the step with --step-deg; "
+                   "--step-deg auto finds it in the pictures.");
   }
   PreparedPictures prepared;
   for (fs::path& file : *files) {
@@ -91,9 +94,10 @@ Result<void> applyAngles(const PictureSet& set, PreparedPictures& prepared) {
     const auto angles = anglesOfPictures(files, *table);
     if (!angles) return angles.error();
     for (std::size_t i = 0; i < files.size(); ++i) prepared.views[i].table_angle_rad = (*angles)[i];
-  } else if (set.step_rad) {
+  } else if (set.step_rad || set.find_steps) {
+    const double step_rad = set.step_rad.value_or(kInOrder_rad);
     for (std::size_t i = 0; i < prepared.views.size(); ++i) {
-      prepared.views[i].table_angle_rad = static_cast<double>(i) * *set.step_rad;
+      prepared.views[i].table_angle_rad = static_cast<double>(i) * step_rad;
     }
   }
   return {};

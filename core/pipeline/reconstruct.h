@@ -25,6 +25,7 @@ struct PictureSet {
   std::filesystem::path calibration;  // calibration.json
   std::filesystem::path angles;       // angles.csv
   std::optional<double> step_rad;     // instead of angles: pictures in natural order, so far apart
+  bool find_steps = false;            // instead of both: as the pictures show (findAngles)
   std::filesystem::path masks;        // a folder: same stem, .png, above 127 = object
   std::filesystem::path background;   // a picture of the bare table, or a folder of them
 };
