@@ -120,12 +120,14 @@ class StepSearch {
     };
     const double reach_rad = std::max(kNear * std::abs(common_rad), kNear_rad);
     double best_rad = common_rad;
-    double most = of(common_rad);
-    for (double off_rad = -reach_rad; off_rad <= reach_rad; off_rad += 0.5 * kGrid_rad) {
+    double best_support = of(common_rad);
+    const int most = static_cast<int>(reach_rad / (0.5 * kGrid_rad));
+    for (int i = -most; i <= most; ++i) {
+      const double off_rad = 0.5 * kGrid_rad * i;
       if (common_rad * (common_rad + off_rad) <= 0.0) continue;
       const double here = of(common_rad + off_rad);
-      if (here <= most) continue;
-      most = here;
+      if (here <= best_support) continue;
+      best_support = here;
       best_rad = common_rad + off_rad;
     }
     return refine(of, best_rad, 0.5 * kGrid_rad);
@@ -146,8 +148,10 @@ Error notTold() {
 Result<double> commonStep(const StepSearch& search, std::span<const ViewMatch> all,
                           double whole_rad, const TurnStepsOptions& options) {
   std::vector<double> steps_rad;
-  for (double step_rad = options.least_step_rad; step_rad <= options.most_step_rad;
-       step_rad += kGrid_rad) {
+  const int count =
+      static_cast<int>((options.most_step_rad - options.least_step_rad) / kGrid_rad) + 1;
+  for (int i = 0; i < count; ++i) {
+    const double step_rad = options.least_step_rad + kGrid_rad * i;
     steps_rad.push_back(step_rad);
     steps_rad.push_back(-step_rad);
   }
@@ -180,6 +184,7 @@ std::vector<ViewMatch> thinned(const std::vector<ViewMatch>& matches) {
 double scatterOf(const std::vector<double>& steps_rad) {
   const double middle_rad = median(steps_rad);
   std::vector<double> off_rad;
+  off_rad.reserve(steps_rad.size());
   for (const double step_rad : steps_rad) off_rad.push_back(std::abs(step_rad - middle_rad));
   return kMadToSigma * median(std::move(off_rad));
 }

@@ -38,8 +38,8 @@ TEST(PointScatter, IsNotFooledByPointsThatErrAlike) {
     for (int copy = 0; copy < 4; ++copy) {
       copied.points.push_back(point);
       copied.points.back().position +=
-          0.02 *
-          Eigen::Vector3d(random.gaussian(), random.gaussian(), random.gaussian()).cross(point.normal);
+          0.02 * Eigen::Vector3d(random.gaussian(), random.gaussian(), random.gaussian())
+                     .cross(point.normal);
     }
   }
   EXPECT_NEAR(median(pointScatter(copied, {0.3, 5.0})), 0.05, 0.007);

@@ -86,8 +86,10 @@ std::vector<ViewMatch> closingOf(const World& world, const std::vector<double>& 
 }
 
 std::vector<double> evenly(int views, double step_deg) {
-  std::vector<double> angles_rad;
-  for (int i = 0; i < views; ++i) angles_rad.push_back(radFromDeg(step_deg * i));
+  std::vector<double> angles_rad(static_cast<std::size_t>(views));
+  for (int i = 0; i < views; ++i) {
+    angles_rad[static_cast<std::size_t>(i)] = radFromDeg(step_deg * i);
+  }
   return angles_rad;
 }
 
