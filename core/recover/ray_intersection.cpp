@@ -31,14 +31,18 @@ std::optional<Eigen::Vector3d> intersectWeighted(std::span<const Ray> rays, cons
   // rays and setting the gradient to zero leaves (sum P) x = sum P c. Origins are taken relative
   // to the first one, so that far-away frames cost no digits.
   const Eigen::Vector3d reference = rays.front().origin;
-  Eigen::Matrix3d sum_p = Eigen::Matrix3d::Zero();
+  double sum_w = 0.0;
+  Eigen::Matrix3d sum_dd = Eigen::Matrix3d::Zero();
   Eigen::Vector3d sum_pc = Eigen::Vector3d::Zero();
   for (const Ray& ray : rays) {
+    const double w = weight(ray);
     const Eigen::Vector3d& d = ray.direction;
-    const Eigen::Matrix3d p = weight(ray) * (Eigen::Matrix3d::Identity() - d * d.transpose());
-    sum_p += p;
-    sum_pc += p * (ray.origin - reference);
+    const Eigen::Vector3d c = ray.origin - reference;
+    sum_w += w;
+    sum_dd.noalias() += w * d * d.transpose();
+    sum_pc += w * (c - d.dot(c) * d);
   }
+  const Eigen::Matrix3d sum_p = sum_w * Eigen::Matrix3d::Identity() - sum_dd;
   const Eigen::LDLT<Eigen::Matrix3d> solver(sum_p);
   const Eigen::Vector3d pivots = solver.vectorD();
   if (!(pivots.minCoeff() > kSingular * pivots.maxCoeff())) return std::nullopt;
