@@ -58,6 +58,18 @@ class Problem {
     return Linearized{*at, information, at->residual.dot(information * at->residual)};
   }
 
+  // The same chi2 alone; infinite when the position is not in front of that camera.
+  double chi2(std::size_t i, const Eigen::Vector3d& x) const {
+    const auto miss = missOf(pose(i), sightings_[i].normalized, x);
+    if (!miss) return std::numeric_limits<double>::infinity();
+    const double variance = sightings_[i].sigma * sightings_[i].sigma;
+    const double angle_variance = angle_variances_[static_cast<std::size_t>(sightings_[i].view)];
+    const double along = miss->by_angle.dot(miss->residual);
+    const double share =
+        angle_variance / (variance + angle_variance * miss->by_angle.squaredNorm());
+    return (miss->residual.squaredNorm() - share * along * along) / variance;
+  }
+
  private:
   std::span<const Sighting> sightings_;
   std::span<const Rigid3> poses_;
@@ -104,17 +116,12 @@ bool gaussNewton(const Problem& problem, int steps, const Weight& weight, Eigen:
   return true;
 }
 
-double chi2At(const Problem& problem, std::size_t i, const Eigen::Vector3d& x) {
-  const auto at = problem.linearize(i, x);
-  return at ? at->chi2 : std::numeric_limits<double>::infinity();
-}
-
 // What a position costs by some sightings: residuals, truncated at four standard deviations.
 double truncatedCost(const Problem& problem, std::span<const std::size_t> judges,
                      const Eigen::Vector3d& x) {
   constexpr double kTruncation = 16.0;
   double cost = 0.0;
-  for (const std::size_t i : judges) cost += std::min(kTruncation, chi2At(problem, i, x));
+  for (const std::size_t i : judges) cost += std::min(kTruncation, problem.chi2(i, x));
   return cost;
 }
 
@@ -181,7 +188,7 @@ void judge(const Problem& problem, double outlier_sigma, EstimatedPoint& point) 
   point.agreeing = 0;
   double chi2_sum = 0.0;
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    const double chi2 = chi2At(problem, i, point.position_in_table);
+    const double chi2 = problem.chi2(i, point.position_in_table);
     if (chi2 > limit) continue;
     point.agrees[i] = 1;
     ++point.agreeing;

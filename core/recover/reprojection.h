@@ -29,12 +29,29 @@ inline std::optional<Reprojection> reproject(const Rigid3& cam_from_table,
   const Eigen::Vector2d projected = iz * p.head<2>();
   Reprojection at;
   at.residual = seen - projected;
-  at.by_position.row(0) = (r.row(0) - projected.x() * r.row(2)) * iz;
-  at.by_position.row(1) = (r.row(1) - projected.y() * r.row(2)) * iz;
+  at.by_position.noalias() = iz * (r.topRows<2>() - projected * r.row(2));
   // A table that turns by d moves the point by d (z x position).
   at.by_angle =
       at.by_position.col(1) * position_in_table.x() - at.by_position.col(0) * position_in_table.y();
   return at;
+}
+
+// Without the derivatives by position: all that judging a position takes.
+struct Miss {
+  Eigen::Vector2d residual;
+  Eigen::Vector2d by_angle;
+};
+
+inline std::optional<Miss> missOf(const Rigid3& cam_from_table, const Eigen::Vector2d& seen,
+                                  const Eigen::Vector3d& position_in_table) {
+  const Eigen::Matrix3d& r = cam_from_table.rotation;
+  const Eigen::Vector3d p = r * position_in_table + cam_from_table.translation;
+  if (!(p.z() > 1e-6)) return std::nullopt;
+  const double iz = 1.0 / p.z();
+  const Eigen::Vector2d projected = iz * p.head<2>();
+  const Eigen::Vector3d p_by_angle =
+      r.col(1) * position_in_table.x() - r.col(0) * position_in_table.y();
+  return Miss{seen - projected, iz * (p_by_angle.head<2>() - p_by_angle.z() * projected)};
 }
 
 }  // namespace gyre
