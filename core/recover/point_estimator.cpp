@@ -42,6 +42,12 @@ class Problem {
   }
 
   Ray ray(std::size_t i) const { return rayThrough(pose(i), sightings_[i].normalized); }
+  std::vector<Ray> rays() const {
+    std::vector<Ray> all;
+    all.reserve(size());
+    for (std::size_t i = 0; i < size(); ++i) all.push_back(ray(i));
+    return all;
+  }
 
   // Nothing when the position is not in front of that camera.
   std::optional<Linearized> linearize(std::size_t i, const Eigen::Vector3d& x) const {
@@ -134,11 +140,12 @@ struct Hypothesis {
 std::vector<Hypothesis> drawHypotheses(const Problem& problem, double min_parallax_rad,
                                        std::span<const std::size_t> judges, Random& random) {
   const std::size_t n = problem.size();
+  const std::vector<Ray> rays = problem.rays();
   const std::size_t min_gap = n >= 8 ? n / 4 : 1;
   std::vector<Hypothesis> hypotheses;
   hypotheses.reserve(kHypotheses);
   const auto try_pair = [&](std::size_t a, std::size_t b) {
-    const auto x = intersectTwoRays(problem.ray(a), problem.ray(b), min_parallax_rad / 4.0);
+    const auto x = intersectTwoRays(rays[a], rays[b], min_parallax_rad / 4.0);
     if (x) hypotheses.push_back({truncatedCost(problem, judges, *x), *x});
   };
   if (n * (n - 1) / 2 <= kHypotheses) {
@@ -245,9 +252,7 @@ std::optional<EstimatedPoint> settle(const Problem& problem, const RecoverOption
 // The paper's readings: no sighting is doubted.
 std::optional<EstimatedPoint> estimateByPaper(Solver solver, const Problem& problem,
                                               double min_parallax_rad) {
-  std::vector<Ray> rays;
-  rays.reserve(problem.size());
-  for (std::size_t i = 0; i < problem.size(); ++i) rays.push_back(problem.ray(i));
+  const std::vector<Ray> rays = problem.rays();
   EstimatedPoint point;
   point.parallax_rad = widestAngle(rays);
   if (point.parallax_rad < min_parallax_rad) return std::nullopt;
