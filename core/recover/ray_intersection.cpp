@@ -2,6 +2,7 @@
 #include "core/recover/ray_intersection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -85,13 +86,18 @@ std::optional<Eigen::Vector3d> intersectRaysAbsolute(std::span<const Ray> rays) 
 }
 
 double widestAngle(std::span<const Ray> rays) {
-  double widest = 0.0;
-  if (rays.empty()) return widest;
+  if (rays.empty()) return 0.0;
+  std::array<const Ray*, 2> widest = {&rays.front(), &rays.front()};
+  double least_cosine = 1.0;
   for (const Ray& ray : rays) {
-    widest = std::max({widest, angleBetween(ray.direction, rays.front().direction),
-                       angleBetween(ray.direction, rays.back().direction)});
+    for (const Ray* end : {&rays.front(), &rays.back()}) {
+      const double cosine = ray.direction.dot(end->direction);
+      if (cosine >= least_cosine) continue;
+      least_cosine = cosine;
+      widest = {&ray, end};
+    }
   }
-  return widest;
+  return angleBetween(widest[0]->direction, widest[1]->direction);
 }
 
 }  // namespace gyre
