@@ -42,10 +42,14 @@ constexpr double kErrAlike = 0.22;
 constexpr double kSettled_rad = radFromDeg(0.05);
 constexpr int kMostRounds = 3;
 
+// By how much the angles moved, but for a turn of all together, which only turns the model. [rad]
 double furthest(const std::vector<double>& before, const std::vector<double>& after) {
+  double common = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) common += after[i] - before[i];
+  common /= static_cast<double>(std::max<std::size_t>(1, before.size()));
   double most = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    most = std::max(most, std::abs(after[i] - before[i]));
+    most = std::max(most, std::abs(after[i] - before[i] - common));
   }
   return most;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/clock.h"
+#include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/pipeline/candidate.h"
 #include "core/pipeline/cloud_filter.h"
@@ -102,14 +103,24 @@ Result<TrackedFrame> LiveReconstruction::Impl::addFrame(const FramePtr& told,
   views_.push_back({frame->view, frame->name, false, frame->table_angle_rad, frame->table_angle_rad,
                     0.0, false});
   const double masked_s = steadySeconds();
-  TrackedFrame tracked = tracker_.addFrame(frame, mask);
-  kept_.push_back(keepView(frame->image_bgr, mask));
-  const double tracked_s = steadySeconds();
-  drift_.addFrame(*frame);
-  tracked.drift = latestDrift();
   mask_seconds_ += masked_s - start_s;
-  track_seconds_ += tracked_s - masked_s;
-  drift_seconds_ += steadySeconds() - tracked_s;
+  // Three things that do not need each other; the first takes longest.
+  TrackedFrame tracked;
+  parallelFor(3, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t job = begin; job < end; ++job) {
+      const double begun_s = steadySeconds();
+      if (job == 0) {
+        tracked = tracker_.addFrame(frame, mask);
+        track_seconds_ += steadySeconds() - begun_s;
+      } else if (job == 1) {
+        kept_.push_back(keepView(frame->image_bgr, mask));
+      } else {
+        drift_.addFrame(*frame);
+        drift_seconds_ += steadySeconds() - begun_s;
+      }
+    }
+  });
+  tracked.drift = latestDrift();
   return tracked;
 }
 

@@ -17,9 +17,16 @@ constexpr int kBlock_px = 16;
 // A camera's own rounding to whole grey levels leaves this much.
 constexpr double kLeastNoise = 0.3;
 
-}  // namespace
+// The picture's blocks that hold a part of it.
+cv::Rect blocksAround(const cv::Rect& part, const cv::Size& size) {
+  const cv::Point begin(part.x / kBlock_px * kBlock_px, part.y / kBlock_px * kBlock_px);
+  const cv::Point end((part.br().x + kBlock_px - 1) / kBlock_px * kBlock_px,
+                      (part.br().y + kBlock_px - 1) / kBlock_px * kBlock_px);
+  return cv::Rect(begin, end) & cv::Rect({}, size);
+}
 
-double estimateNoiseSigma(const cv::Mat& grey, const cv::Mat& area) {
+// How much each block that the area covers (all, when it is empty) differs from smoothness.
+std::vector<float> blockResponses(const cv::Mat& grey, const cv::Mat& area) {
   const cv::Mat kernel = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
   cv::Mat response;
   cv::filter2D(grey, response, CV_32F, kernel);
@@ -38,7 +45,18 @@ double estimateNoiseSigma(const cv::Mat& grey, const cv::Mat& area) {
       }
     }
   }
-  if (values.empty()) values.assign(blocks.begin<float>(), blocks.end<float>());
+  return values;
+}
+
+}  // namespace
+
+double estimateNoiseSigma(const cv::Mat& grey, const cv::Mat& area) {
+  std::vector<float> values;
+  if (!area.empty()) {
+    const cv::Rect part = blocksAround(cv::boundingRect(area), grey.size());
+    if (!part.empty()) values = blockResponses(grey(part), area(part));
+  }
+  if (values.empty()) values = blockResponses(grey, {});
   const auto tenth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
   std::nth_element(values.begin(), tenth, values.end());
   return std::max(kLeastNoise, std::sqrt(kPi / 2.0) / 6.0 * static_cast<double>(*tenth));
