@@ -16,6 +16,7 @@
 #include "app/version.h"
 #include "core/base/formatted.h"
 #include "core/base/units.h"
+#include "core/io/result_folder.h"
 #include "core/pipeline/find_angles.h"
 #include "core/pipeline/reconstruct.h"
 #include "core/pipeline/write_results.h"
@@ -80,6 +81,7 @@ int run(const Words& words, Console& console, const Task& task) {
   if (const auto valid = words.options.validate(); !valid) return console.wrongUse(valid.error());
   auto prepared = preparePictures(set);
   if (!prepared) return console.fail(prepared.error());
+  if (const auto made = makeResultFolder(words.out); !made) return console.fail(made.error());
   ReconstructOptions options = words.options;
   if (set.find_steps) {
     const auto steps = findAngles(*prepared, task.part(0.0, 0.3));

@@ -13,6 +13,7 @@
 #include "app/cli/subcommands.h"
 #include "core/base/formatted.h"
 #include "core/io/experiment_files.h"
+#include "core/io/result_folder.h"
 #include "core/pipeline/reproduce/cube_experiment.h"
 #include "core/pipeline/reproduce/noise_experiment.h"
 
@@ -55,6 +56,7 @@ std::string textOf(const ExperimentTable& table) {
 }
 
 int run(const Words& words, Console& console, const Task& task) {
+  if (const auto made = makeResultFolder(words.out); !made) return console.fail(made.error());
   const std::vector<Experiment> experiments = experimentsOf(words);
   const auto count = static_cast<double>(experiments.size());
   for (std::size_t i = 0; i < experiments.size(); ++i) {

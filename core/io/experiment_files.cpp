@@ -8,6 +8,7 @@
 #include "core/base/check.h"
 #include "core/io/atomic_file.h"
 #include "core/io/json_text.h"
+#include "core/io/result_folder.h"
 
 namespace gyre {
 
@@ -46,14 +47,7 @@ std::string jsonOf(const ExperimentTable& table) {
 }
 
 Result<void> writeExperiment(const std::filesystem::path& folder, const ExperimentTable& table) {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) {
-    return Error{
-        Error::Code::kIo,
-        "The folder \"" + folder.string() + "\" cannot be made: " + problem.message() + ".",
-        "Choose another folder."};
-  }
+  if (const auto made = makeResultFolder(folder); !made) return made.error();
   const struct {
     const char* ending;
     std::string text;

@@ -12,6 +12,7 @@
 #include "core/io/calibration_record_file.h"
 #include "core/io/obj.h"
 #include "core/io/ply.h"
+#include "core/io/result_folder.h"
 #include "core/io/visibility_file.h"
 #include "core/mesh/alpha_shape.h"
 
@@ -72,12 +73,7 @@ Result<void> writeMesh(const fs::path& folder, const Mesh& mesh) {
 
 Result<WrittenResults> writeResults(const fs::path& folder, const Reconstruction& reconstruction,
                                     const ResultContext& context, const Task& task) {
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) {
-    return Error{Error::Code::kIo, "The folder \"" + folder.string() + "\" cannot be made.",
-                 "Choose a folder in which you may write."};
-  }
+  if (const auto made = makeResultFolder(folder); !made) return made.error();
   if (const auto done = writePoints(folder, reconstruction, context); !done) {
     return done.error();
   }
