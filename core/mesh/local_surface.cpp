@@ -96,8 +96,9 @@ std::optional<LocalSurface> fitLocalSurface(const KdTree& points, const Eigen::V
     free_weight += weight[i] * (1.0 - weight[i] * rows[i].first.dot(solver.solve(rows[i].first)));
   }
   surface.residual_mm = reach_mm * std::sqrt(squares / sum);
-  if (free_weight > kLeastFree * sum)
+  if (free_weight > kLeastFree * sum) {
     surface.scatter_mm = reach_mm * std::sqrt(squares / free_weight);
+  }
   surface.foot = place + reach_mm * c[0] * plane->axes.col(2);
   surface.normal = (plane->axes * Eigen::Vector3d(-c[1], -c[2], 1.0)).normalized();
   Eigen::Matrix2d second;

@@ -297,7 +297,7 @@ void Finisher::measureResiduals() {
 
 // What all sightings of a point share does not show in their residuals: a surface under the patch
 // that is no quadric, light that moves over it. It differs from point to point, so that neighbours
-// disagree by it, along the normal; but not such that share half their patch.
+// disagree by it, along the normal; but not such that share most of their patch.
 void Finisher::widenByScatter() {
   if (result_.cloud.points.empty()) return;
   const double patch_mm =

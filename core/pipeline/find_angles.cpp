@@ -61,7 +61,8 @@ Result<TurnMatches> matchViews(const PreparedPictures& prepared, const Task& tas
     if (i == 0) first = *spots;
     if (i > 0) matches.pairs.push_back(matchesOf(camera, before.back(), *spots));
     if (before.size() == matches.stride) {
-      const auto wide = matchesOf(camera, before.front(), *spots);
+      const auto wide =
+          matches.stride == 1 ? matches.pairs.back() : matchesOf(camera, before.front(), *spots);
       matches.wide.insert(matches.wide.end(), wide.begin(), wide.end());
       before.pop_front();
     }
