@@ -10,14 +10,13 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/cli/find_unknowns.h"
 #include "app/cli/option_words.h"
 #include "app/cli/scan_ending.h"
 #include "app/cli/subcommands.h"
 #include "app/version.h"
-#include "core/base/formatted.h"
 #include "core/base/units.h"
 #include "core/io/result_folder.h"
-#include "core/pipeline/find_angles.h"
 #include "core/pipeline/reconstruct.h"
 #include "core/pipeline/write_results.h"
 
@@ -27,16 +26,13 @@ namespace {
 struct Words {
   PictureSet set;
   std::string step_deg;
+  UnknownRig rig;
   std::string out;
   ReconstructOptions options;
 };
 
 Result<void> readStep(const std::string& text, PictureSet& set) {
-  if (text.empty()) return {};
-  if (text == "auto") {
-    set.find_steps = true;
-    return {};
-  }
+  if (text.empty() || text == "auto") return {};
   double step_deg = 0.0;
   const char* end = text.data() + text.size();
   const auto [stop, problem] = std::from_chars(text.data(), end, step_deg);
@@ -65,16 +61,6 @@ ResultContext contextOf(const PictureSet& set, const PreparedPictures& prepared,
   return context;
 }
 
-// As pairs of pictures tell an angle; the points tell it better.
-constexpr double kFoundAngles_deg = 0.3;
-
-void tellSteps(Console& console, const TurnSteps& steps) {
-  console.say(formatted("Steps of %.3f deg, %s seen from above, found in %zu matches%s.",
-                        std::abs(degFromRad(steps.common_rad)),
-                        steps.common_rad > 0.0 ? "counter-clockwise" : "clockwise", steps.agreeing,
-                        steps.closed ? "; whole turns" : ""));
-}
-
 int run(const Words& words, Console& console, const Task& task) {
   PictureSet set = words.set;
   if (const auto step = readStep(words.step_deg, set); !step) return console.wrongUse(step.error());
@@ -83,18 +69,18 @@ int run(const Words& words, Console& console, const Task& task) {
   if (!prepared) return console.fail(prepared.error());
   if (const auto made = makeResultFolder(words.out); !made) return console.fail(made.error());
   ReconstructOptions options = words.options;
-  if (set.find_steps) {
-    const auto steps = findAngles(*prepared, task.part(0.0, 0.3));
-    if (!steps) return console.fail(steps.error());
-    tellSteps(console, *steps);
-    options.recover.angle_freedom_deg =
-        std::max(options.recover.angle_freedom_deg, kFoundAngles_deg);
-  }
-  const auto reconstruction =
-      reconstruct(*prepared, options, {}, task.part(set.find_steps ? 0.3 : 0.0, 0.9));
+  const UnknownRig& rig = words.rig;
+  const bool calibrated = prepared->calibration.calibration.cam_from_table.has_value();
+  const double finding = !prepared->angles_told || rig.refine_camera || !calibrated ? 0.5 : 0.0;
+  const auto found = findUnknowns(rig, *prepared, options, console, task.part(0.0, finding));
+  if (!found) return console.fail(found.error());
+  auto reconstruction = reconstruct(*prepared, options, {}, task.part(finding, 0.9));
   if (!reconstruction) return console.fail(reconstruction.error());
-  const auto written = writeResults(words.out, *reconstruction, contextOf(set, *prepared, options),
-                                    task.part(0.9, 1.0));
+  const bool size_known = giveSize(rig, calibrated, *prepared, *reconstruction, console);
+  ResultContext context = contextOf(set, *prepared, options);
+  context.report.size_known = size_known;
+  context.report.inputs.insert(found->begin(), found->end());
+  const auto written = writeResults(words.out, *reconstruction, context, task.part(0.9, 1.0));
   if (!written) return console.fail(written.error());
   tellResults(console, *reconstruction, *written);
   const auto enough = enoughPoints(reconstruction->cloud, prepared->views.size());
@@ -109,12 +95,19 @@ void addReconstruct(CLI::App& app, Run& chosen) {
   CLI::App* command =
       app.add_subcommand("reconstruct", "Make points and a mesh of pictures taken before");
   command->add_option("pictures", set.pictures, "Folder of pictures, or a scan")->required();
-  command->add_option("--calibration", set.calibration, "calibration.json");
+  command->add_option("--calibration", set.calibration,
+                      "calibration.json; without one, camera and axis are found in the pictures");
   auto* angles = command->add_option("--angles", set.angles, "angles.csv: image,angle_deg");
   command
       ->add_option("--step-deg", words->step_deg,
-                   "Angle from picture to picture, or auto to find it")
+                   "Angle from picture to picture; auto, or nothing, finds it in the pictures")
       ->excludes(angles);
+  command->add_flag("--refine-camera", words->rig.refine_camera,
+                    "Solve camera and axis from the object's own points as well");
+  command
+      ->add_option("--known-length", words->rig.known_length_mm,
+                   "Longest line through the object, in mm: gives the model its size")
+      ->check(CLI::Range(0.01, 1e6));
   auto* masks = command->add_option("--masks", set.masks, "Folder of masks, above 127 = object");
   command->add_option("--background", set.background, "Picture of the empty table, or a folder")
       ->excludes(masks);

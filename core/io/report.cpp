@@ -101,6 +101,10 @@ void appendResult(std::string& html, const Report& report) {
     appendRow(html, "Gap after a full turn", withUnit(*report.closure_mm, "mm"));
   }
   appendRow(html, "Bumps of camera and table", report.drift.sentence);
+  if (!report.size_known) {
+    appendRow(html, "Size",
+              "unknown: nothing told the scale, millimetres here are arbitrary units");
+  }
   if (report.turning) appendRow(html, "How the table turned", report.turning->sentence);
   html.append("</table>\n");
 }
@@ -131,6 +135,7 @@ std::string reportJson(const Report& report) {
   root["title"] = report.title;
   root["inventory_number"] = report.inventory_number;
   root["rights"] = report.rights;
+  root["size_known"] = report.size_known;
   root["points"] = report.points;
   root["observations"] = report.observations;
   root["rms_px"] = numberOrNull(report.rms_px);

@@ -30,6 +30,7 @@ struct Report {
   std::string title;
   std::string inventory_number;
   std::string rights;
+  bool size_known = true;  // false: nothing told the model's scale
   std::size_t points = 0;
   std::size_t observations = 0;
   double rms_px = 0.0;           // reprojection error of the accepted observations

@@ -100,7 +100,7 @@ class Finisher {
   std::vector<Eigen::Vector3d> directionsToCameras() const;
   std::vector<GreyView> viewsAtPoses() const;
   PointEstimator estimatorAtPoses(std::span<const double> angle_sigma_rad) const;
-  void measureResiduals();
+  void gatherSightings();  // with their residuals
   void widenByScatter();
   void believeAsTheyAgree(const AngleBeliefs& beliefs);
 
@@ -269,15 +269,18 @@ Result<void> Finisher::densifyCloud(const Task& task) {
   return densify(scene, options_, result_.cloud, candidates_, task);
 }
 
-void Finisher::measureResiduals() {
+void Finisher::gatherSightings() {
   std::vector<double> distances_px;
   double squares = 0.0;
   double ray_distances_mm = 0.0;
-  for (const Candidate& candidate : candidates_) {
+  result_.sightings.assign(candidates_.size(), {});
+  for (std::size_t index = 0; index < candidates_.size(); ++index) {
+    const Candidate& candidate = candidates_[index];
     const Eigen::Vector3d& position = candidate.estimated->position_in_table;
     for (std::size_t i = 0; i < candidate.sightings.size(); ++i) {
       if (candidate.estimated->agrees[i] == 0) continue;
       const Observation& seen = candidate.observations[i];
+      result_.sightings[index].push_back(seen);
       const Rigid3& pose = poses_[static_cast<std::size_t>(seen.view)];
       const auto pixel = calibration_.camera.project(pose * position);
       if (!pixel) continue;
@@ -312,7 +315,7 @@ void Finisher::widenByScatter() {
 
 Reconstruction Finisher::take() {
   widenByScatter();
-  measureResiduals();
+  gatherSightings();
   if (turn_.closure) result_.turn_gap = turn_.closure->gap;
   return std::move(result_);
 }

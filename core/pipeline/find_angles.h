@@ -3,15 +3,15 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/base/task.h"
+#include "core/pipeline/match_pictures.h"
 #include "core/pipeline/reconstruct.h"
 #include "core/recover/turn_steps.h"
 
 namespace gyre {
 
-// Finds the angles of pictures in the order in which they were taken (turnSteps), and puts the
-// views in the order of their angles, the first picture at 0. Changes nothing when it fails: when a
-// picture cannot be read, the pictures do not tell, or the task is stopped.
-Result<TurnSteps> findAngles(PreparedPictures& prepared, const Task& task);
+// Finds the angles of pictures in the order in which they were taken (turnSteps) from what they
+// share (matchPictures), and puts the views in the order of their angles, the first picture at 0.
+// Changes nothing when it fails: when the pictures do not tell.
+Result<TurnSteps> findAngles(PreparedPictures& prepared, const MatchedPictures& matched);
 
 }  // namespace gyre

@@ -68,16 +68,8 @@ Result<PreparedPictures> openScan(const fs::path& path) {
 Result<PreparedPictures> openFolder(const PictureSet& set) {
   auto files = listPictures(set.pictures);
   if (!files) return files.error();
-  if (set.calibration.empty()) {
-    return invalid("Pictures alone do not say where camera and table are.",
-                   "Name their calibration with --calibration FILE.");
-  }
-  if (set.angles.empty() && !set.step_rad && !set.find_steps) {
-    return invalid("Nothing says how far the table turned between the pictures.",
-                   "Name their angles with --angles FILE, or the step with --step-deg; "
-                   "--step-deg auto finds it in the pictures.");
-  }
   PreparedPictures prepared;
+  prepared.angles_told = !set.angles.empty() || set.step_rad.has_value();
   for (fs::path& file : *files) {
     std::string name = file.filename().string();
     prepared.views.push_back({std::move(name), std::move(file), {}, 0.0});
@@ -94,7 +86,7 @@ Result<void> applyAngles(const PictureSet& set, PreparedPictures& prepared) {
     const auto angles = anglesOfPictures(files, *table);
     if (!angles) return angles.error();
     for (std::size_t i = 0; i < files.size(); ++i) prepared.views[i].table_angle_rad = (*angles)[i];
-  } else if (set.step_rad || set.find_steps) {
+  } else if (set.step_rad || !prepared.angles_told) {
     const double step_rad = set.step_rad.value_or(kInOrder_rad);
     for (std::size_t i = 0; i < prepared.views.size(); ++i) {
       prepared.views[i].table_angle_rad = static_cast<double>(i) * step_rad;
@@ -144,13 +136,16 @@ Result<PreparedPictures> preparePictures(const PictureSet& set) {
     if (!calibration) return calibration.error();
     prepared->calibration = std::move(*calibration);
   }
-  if (!prepared->calibration.calibration.cam_from_table) {
+  const bool calibrated = isScan(set.pictures) || !set.calibration.empty();
+  if (calibrated && !prepared->calibration.calibration.cam_from_table) {
     return invalid("The calibration does not say where the table is.",
                    "Calibrate with the target on the turning table.");
   }
   if (auto applied = applyAngles(set, *prepared); !applied) return applied.error();
   if (auto ordered = orderViews(prepared->views); !ordered) return ordered.error();
-  if (auto sized = checkSizes(*prepared); !sized) return sized.error();
+  if (calibrated) {
+    if (auto sized = checkSizes(*prepared); !sized) return sized.error();
+  }
   if (!set.background.empty()) {
     auto background = readEmptyTable(set.background);
     if (!background) return background.error();

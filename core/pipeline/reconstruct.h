@@ -22,10 +22,9 @@ namespace gyre {
 // empty table, which what is given here overrides.
 struct PictureSet {
   std::filesystem::path pictures;     // a folder of pictures, a scan's folder, or its .gyre file
-  std::filesystem::path calibration;  // calibration.json
-  std::filesystem::path angles;       // angles.csv
+  std::filesystem::path calibration;  // calibration.json; without one, see findCamera
+  std::filesystem::path angles;       // angles.csv; without angles or step, see findAngles
   std::optional<double> step_rad;     // instead of angles: pictures in natural order, so far apart
-  bool find_steps = false;            // instead of both: as the pictures show (findAngles)
   std::filesystem::path masks;        // a folder: same stem, .png, above 127 = object
   std::filesystem::path background;   // a picture of the bare table, or a folder of them
 };
@@ -40,9 +39,13 @@ struct PictureView {
 
 // Everything that the pictures need, checked but for the pictures' contents.
 struct PreparedPictures {
+  // Has no cam_from_table until it is found (findCamera), where pictures come without.
   CalibrationRecord calibration;
   FramePtr empty_table;            // may be null
   std::vector<PictureView> views;  // ascending angles
+  // False where nobody told the angles: the views are then in the order of their names, at angles
+  // that say no more (findAngles).
+  bool angles_told = true;
 };
 
 // Finds and checks pictures, calibration and angles. Fails, in words, when anything is missing, of

@@ -6,9 +6,11 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/scan/drift.h"
 #include "core/scan/point_cloud.h"
+#include "core/scan/track.h"
 #include "core/scan/turning.h"
 #include "core/track/turn_gap.h"
 
@@ -16,6 +18,8 @@ namespace gyre {
 
 struct Reconstruction {
   PointCloud cloud;
+  // Where each point was seen, as far as it agrees: for its views, one by one.
+  std::vector<std::vector<Observation>> sightings;
   std::size_t observations = 0;  // in the accepted points
   double rms_px = 0.0;           // reprojection error of the accepted observations
   double median_px = 0.0;

@@ -3,7 +3,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -30,14 +29,17 @@ PreparedPictures prepared(const std::filesystem::path& folder, int views, double
   PictureSet set;
   set.pictures = folder / "pictures";
   set.calibration = folder / "calibration.json";
-  set.find_steps = true;
   return preparePictures(set).value();
+}
+
+Result<TurnSteps> found(PreparedPictures& pictures) {
+  return findAngles(pictures, matchPictures(pictures.views, {}).value());
 }
 
 TEST(FindAngles, OfATableThatTurnsCounterClockwise) {
   const TempDir dir;
   PreparedPictures pictures = prepared(dir.path(), 8, 6.0);
-  const auto steps = findAngles(pictures, {});
+  const auto steps = found(pictures);
   ASSERT_TRUE(steps) << steps.error().sentence();
   EXPECT_NEAR(degFromRad(steps->common_rad), 6.0, 0.15);
   EXPECT_EQ(pictures.views.front().name, "v00.png");
@@ -48,7 +50,7 @@ TEST(FindAngles, OfATableThatTurnsCounterClockwise) {
 TEST(FindAngles, OfATableThatTurnsClockwisePutsTheLastPictureFirst) {
   const TempDir dir;
   PreparedPictures pictures = prepared(dir.path(), 8, -6.0);
-  const auto steps = findAngles(pictures, {});
+  const auto steps = found(pictures);
   ASSERT_TRUE(steps) << steps.error().sentence();
   EXPECT_NEAR(degFromRad(steps->common_rad), -6.0, 0.15);
   EXPECT_EQ(pictures.views.front().name, "v07.png");
@@ -59,20 +61,10 @@ TEST(FindAngles, OfATableThatTurnsClockwisePutsTheLastPictureFirst) {
 TEST(FindAngles, RefusesATableThatStandsStillAndChangesNothing) {
   const TempDir dir;
   PreparedPictures pictures = prepared(dir.path(), 5, 0.0);
-  const auto steps = findAngles(pictures, {});
+  const auto steps = found(pictures);
   ASSERT_FALSE(steps);
   EXPECT_EQ(steps.error().code, Error::Code::kTooFew);
   EXPECT_EQ(pictures.views.front().name, "v00.png");
-}
-
-TEST(FindAngles, StopsWhenAsked) {
-  const TempDir dir;
-  PreparedPictures pictures = prepared(dir.path(), 4, 6.0);
-  std::stop_source stop;
-  stop.request_stop();
-  const auto steps = findAngles(pictures, Task(stop.get_token()));
-  ASSERT_FALSE(steps);
-  EXPECT_EQ(steps.error().code, Error::Code::kCancelled);
 }
 
 }  // namespace

@@ -84,12 +84,27 @@ TEST_F(Reconstruct, SaysWhatIsMissing) {
   PictureSet nothing = set();
   nothing.pictures = dir_.path() / "nowhere";
   EXPECT_EQ(preparePictures(nothing).error().code, Error::Code::kNotFound);
-  PictureSet uncalibrated = set();
-  uncalibrated.calibration.clear();
-  EXPECT_NE(preparePictures(uncalibrated).error().advice.find("--calibration"), std::string::npos);
-  PictureSet unmeasured = set();
-  unmeasured.angles.clear();
-  EXPECT_NE(preparePictures(unmeasured).error().advice.find("--step-deg"), std::string::npos);
+  std::ofstream(dir_.path() / "hand-held.json")
+      << R"({"format": "gyre-calibration", "version": 1, "image_size": [400, 300],
+             "camera": {"fx": 600, "fy": 600, "skew": 0, "cx": 199.5, "cy": 149.5,
+                        "distortion": {"model": "brown", "k1": 0, "k2": 0, "p1": 0, "p2": 0,
+                                       "k3": 0}}, "cam_from_table": null})";
+  PictureSet without_table = set();
+  without_table.calibration = dir_.path() / "hand-held.json";
+  EXPECT_NE(preparePictures(without_table).error().what.find("table"), std::string::npos);
+}
+
+TEST_F(Reconstruct, TakesPicturesOfWhichNothingIsKnown) {
+  PictureSet bare;
+  bare.pictures = pictures();
+  const auto prepared = preparePictures(bare);
+  ASSERT_TRUE(prepared) << prepared.error().sentence();
+  EXPECT_FALSE(prepared->angles_told);
+  EXPECT_FALSE(prepared->calibration.calibration.cam_from_table);
+  EXPECT_EQ(prepared->views[2].name, "v3.png");
+  // Camera and angles must be found first.
+  const auto refused = reconstruct(*prepared, {}, {}, Task());
+  ASSERT_FALSE(refused);
 }
 
 TEST_F(Reconstruct, RefusesAnglesThatAreMissingDoubleOrAllTheSame) {

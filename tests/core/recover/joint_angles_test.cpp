@@ -114,7 +114,7 @@ TEST(JointAngles, ErrorsAreWhatTheCovariancesSay) {
     }
   }
   // Points of one trial share its angles: 100 trials of about 10 independent ones.
-  EXPECT_NEAR(normalised / count, 3.0, 0.3);
+  EXPECT_NEAR(normalised / count, 3.0, 0.2);
   EXPECT_NEAR(angle_normalised / angle_count, 1.0, 0.15);
   EXPECT_NEAR(chi2, 1.0, 0.05);
 }

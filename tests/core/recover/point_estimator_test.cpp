@@ -105,15 +105,15 @@ Efficiency measure(const World& world, int trials) {
 TEST(PointEstimator, ErrorIsWhatTheCovarianceSays) {
   // The covariance without widening is the Cramer-Rao bound; widening by the sampled chi2 can only
   // lower the ratio, by at most some percent at 20 views.
-  const Efficiency efficiency = measure({20, 1.8, 0.2, 0.0}, 1000);
-  EXPECT_NEAR(efficiency.ratio, 1.0, 0.15);
-  EXPECT_NEAR(efficiency.nees, 3.0, 0.4);
+  const Efficiency efficiency = measure({20, 1.8, 0.2, 0.0}, 10000);
+  EXPECT_NEAR(efficiency.ratio, 1.0, 0.05);
+  EXPECT_NEAR(efficiency.nees, 3.0, 0.1);
 }
 
 TEST(PointEstimator, ErrorBarsCoverAngleNoiseToo) {
-  const Efficiency efficiency = measure({40, 1.8, 0.2, 0.05}, 1000);
-  EXPECT_NEAR(efficiency.ratio, 1.0, 0.2);
-  EXPECT_NEAR(efficiency.nees, 3.0, 0.5);
+  const Efficiency efficiency = measure({40, 1.8, 0.2, 0.05}, 10000);
+  EXPECT_NEAR(efficiency.ratio, 1.0, 0.05);
+  EXPECT_NEAR(efficiency.nees, 3.0, 0.1);
 }
 
 TEST(PointEstimator, IgnoresAFifthOfWildSightings) {
