@@ -1,6 +1,7 @@
 // gyre reproduce: the paper's experiments once more, as tables and pictures.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,7 +14,9 @@
 #include "app/cli/subcommands.h"
 #include "core/base/formatted.h"
 #include "core/io/experiment_files.h"
+#include "core/io/picture_file.h"
 #include "core/io/result_folder.h"
+#include "core/pipeline/reproduce/acquisition.h"
 #include "core/pipeline/reproduce/cube_experiment.h"
 #include "core/pipeline/reproduce/noise_experiment.h"
 
@@ -21,18 +24,32 @@ namespace gyre {
 namespace {
 
 struct Words {
-  int table = 0;  // 0: all
+  int table = 0;         // 0: all
+  bool figures = false;  // nothing but the figures
   std::string out;
   NoiseExperimentOptions noise;
 };
 
 using Experiment = std::function<Result<ExperimentTable>(const Task& task)>;
 
+// The figures are written on the way.
+Result<ExperimentTable> acquireFigures(const std::string& folder, const Task& task) {
+  auto acquired = acquisitionExperiment({}, task);
+  if (!acquired) return acquired.error();
+  for (const AcquisitionFigure& figure : acquired->figures) {
+    const auto file = std::filesystem::path(folder) / (figure.name + ".png");
+    if (const auto done = writePicture(file, figure.picture_bgr); !done) return done.error();
+  }
+  return std::move(acquired->table);
+}
+
 std::vector<Experiment> experimentsOf(const Words& words) {
   const std::vector<Experiment> all = {
       [&](const Task& task) { return pixelNoiseExperiment(words.noise, task); },
       [&](const Task& task) { return angleNoiseExperiment(words.noise, task); },
-      [](const Task& task) { return cubeExperiment({}, task); }};
+      [](const Task& task) { return cubeExperiment({}, task); },
+      [&](const Task& task) { return acquireFigures(words.out, task); }};
+  if (words.figures) return {all.back()};
   if (words.table == 0) return all;
   return {all[static_cast<std::size_t>(words.table - 1)]};
 }
@@ -78,8 +95,13 @@ void addReproduce(CLI::App& app, Run& chosen) {
   auto words = std::make_shared<Words>();
   CLI::App* command =
       app.add_subcommand("reproduce", "Rerun the experiments of the paper that Gyre follows");
-  command->add_option("--table", words->table, "One of the paper's tables: 1, 2 or 3 (default all)")
-      ->check(CLI::Range(1, 3));
+  auto* table =
+      command
+          ->add_option("--table", words->table,
+                       "One of the paper's tables: 1, 2 or 3 (default all, and the figures)")
+          ->check(CLI::Range(1, 3));
+  command->add_flag("--figures", words->figures, "Only the figures: cube, duck and mouse scanned")
+      ->excludes(table);
   command
       ->add_option("--trials", words->noise.trials, "Trials a row of tables 1 and 2 (default 200)")
       ->check(CLI::Range(1, 100000));

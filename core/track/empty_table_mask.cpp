@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -21,6 +22,8 @@ constexpr int kWorkingWidth_px = 640;
 // Lamps flicker: brightness may differ by this share before anything counts as changed.
 constexpr double kFlicker = 0.04;
 constexpr double kHoleShare = 0.02;
+// The turned table's place is computed for one pixel in so many, each way.
+constexpr int kMapStep = 8;
 
 cv::Mat toWorkingSize(const cv::Mat& image, double scale) {
   if (scale == 1.0) return image;
@@ -29,20 +32,36 @@ cv::Mat toWorkingSize(const cv::Mat& image, double scale) {
   return small;
 }
 
-// How far a picture leaves, in any channel, the range of the other's values around each pixel.
-cv::Mat excessOver(const cv::Mat& image, const cv::Mat& background) {
-  const cv::Mat neighbourhood = cv::Mat::ones(3, 3, CV_8U);
-  cv::Mat lowest;
-  cv::Mat highest;
-  cv::erode(background, lowest, neighbourhood);
-  cv::dilate(background, highest, neighbourhood);
-  cv::Mat above;
-  cv::Mat below;
-  cv::subtract(image, highest, above);
-  cv::subtract(lowest, image, below);
-  cv::Mat channels[3];
-  cv::split(cv::max(above, below), channels);
-  return cv::max(channels[0], cv::max(channels[1], channels[2]));
+using Planes = std::array<cv::Mat, 3>;  // by channels
+
+Planes planesOf(const cv::Mat& bgr) {
+  Planes planes;
+  cv::split(bgr, planes.data());
+  return planes;
+}
+
+// The same with its outermost pixels twice, all around.
+Planes paddedPlanesOf(const cv::Mat& bgr) {
+  cv::Mat padded;
+  cv::copyMakeBorder(bgr, padded, 1, 1, 1, 1, cv::BORDER_REPLICATE);
+  return planesOf(padded);
+}
+
+// How far each pixel of a picture is, in the channel that differs most, from that of the nine
+// pixels of a padded other one at and around its place that is most like it. Takes the lesser of
+// this and what is known already.
+void lessenByNearest(const Planes& picture, const Planes& padded, cv::Mat& least) {
+  cv::Mat off;
+  cv::Mat most_off;
+  for (int shift = 0; shift < 9; ++shift) {
+    const cv::Rect there(shift % 3, shift / 3, least.cols, least.rows);
+    cv::absdiff(picture[0], padded[0](there), most_off);
+    for (std::size_t channel = 1; channel < picture.size(); ++channel) {
+      cv::absdiff(picture[channel], padded[channel](there), off);
+      cv::max(most_off, off, most_off);
+    }
+    cv::min(least, most_off, least);
+  }
 }
 
 }  // namespace
@@ -53,17 +72,19 @@ EmptyTableMask::EmptyTableMask(const Calibration& calibration, const FramePtr& e
   const cv::Mat& image = empty_table->image_bgr;
   scale_ = std::min(1.0, static_cast<double>(kWorkingWidth_px) / image.cols);
   empty_bgr_ = toWorkingSize(image, scale_);
+  empty_padded_ = paddedPlanesOf(empty_bgr_);
   cv::Mat grey;
   cv::cvtColor(empty_bgr_, grey, cv::COLOR_BGR2GRAY);
   threshold_ = 4.0 + 4.0 * estimateNoiseSigma(grey) + kFlicker * cv::mean(grey)[0];
 
   const Rigid3 base_from_cam = calibration.cam_from_table->inverse();
   constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
-  platter_in_base_.create(empty_bgr_.size(), CV_32FC2);
+  platter_in_base_.create(empty_bgr_.rows / kMapStep + 2, empty_bgr_.cols / kMapStep + 2, CV_32FC2);
   for (int row = 0; row < platter_in_base_.rows; ++row) {
     auto* line = platter_in_base_.ptr<cv::Vec2f>(row);
     for (int column = 0; column < platter_in_base_.cols; ++column) {
-      const Eigen::Vector2d pixel((column + 0.5) / scale_ - 0.5, (row + 0.5) / scale_ - 0.5);
+      const Eigen::Vector2d pixel((kMapStep * column + 0.5) / scale_ - 0.5,
+                                  (kMapStep * row + 0.5) / scale_ - 0.5);
       const Ray ray{base_from_cam.translation,
                     base_from_cam.rotation * calibration.camera.rayInCam(pixel)};
       const auto point = meetHorizontalPlane(ray, 0.0);
@@ -92,16 +113,23 @@ cv::Mat EmptyTableMask::turnedTable(double table_angle_rad) const {
                     static_cast<float>((pixel->y() + 0.5) * scale_ - 0.5)};
     }
   }
+  // Between the nodes the map is as good as straight: cells are a few pixels wide.
+  cv::Mat stretched;
+  const cv::Matx23d node_from_pixel(1.0 / kMapStep, 0.0, 0.0, 0.0, 1.0 / kMapStep, 0.0);
+  cv::warpAffine(map, stretched, node_from_pixel, empty_bgr_.size(),
+                 cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
   cv::Mat turned;
-  cv::remap(empty_bgr_, turned, map, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  cv::remap(empty_bgr_, turned, stretched, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   return turned;
 }
 
 cv::Mat EmptyTableMask::maskOf(const Frame& frame) const {
   const cv::Mat image = toWorkingSize(frame.image_bgr, scale_);
-  const cv::Mat unlike_still = excessOver(image, empty_bgr_);
-  const cv::Mat unlike_turned = excessOver(image, turnedTable(frame.table_angle_rad));
-  const cv::Mat changed = cv::min(unlike_still, unlike_turned) > threshold_;
+  const Planes planes = planesOf(image);
+  cv::Mat unlike(image.size(), CV_8U, cv::Scalar(255));
+  lessenByNearest(planes, empty_padded_, unlike);
+  lessenByNearest(planes, paddedPlanesOf(turnedTable(frame.table_angle_rad)), unlike);
+  const cv::Mat changed = unlike > threshold_;
   const cv::Mat mask = cleanMask(changed, kHoleShare);
   if (scale_ == 1.0) return mask;
   cv::Mat full;

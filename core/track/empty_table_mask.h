@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "core/scan/calibration.h"
@@ -26,9 +27,11 @@ class EmptyTableMask {
   Calibration calibration_;
   double scale_ = 1.0;  // working picture over full picture
   double empty_angle_rad_ = 0.0;
-  double threshold_ = 0.0;   // grey levels
-  cv::Mat empty_bgr_;        // working size
-  cv::Mat platter_in_base_;  // CV_32FC2: where each working pixel's ray meets z = 0, mm; NaN if not
+  double threshold_ = 0.0;               // grey levels
+  cv::Mat empty_bgr_;                    // working size
+  std::array<cv::Mat, 3> empty_padded_;  // the same by channels, a pixel wider all around
+  // CV_32FC2: where the rays of some working pixels meet z = 0, mm; NaN where they do not.
+  cv::Mat platter_in_base_;
 };
 
 }  // namespace gyre

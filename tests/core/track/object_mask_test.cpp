@@ -60,6 +60,28 @@ TEST(EmptyTableMask, SeesNothingOnTheBareTable) {
   EXPECT_LT(cv::countNonZero(found), found.rows * found.cols / 100);
 }
 
+TEST(EmptyTableMask, TellsAnObjectWhoseColourTheBackgroundHasOnlyByParts) {
+  const test::TurningCylinder world;
+  Frame empty = world.renderEmpty();
+  // Before stripes of two colours stands a plain object: each of its channels lies between those of
+  // the stripes, but no pixel of the stripes is like it.
+  for (int row = 0; row < empty.image_bgr.rows; ++row) {
+    for (int column = 0; column < empty.image_bgr.cols; ++column) {
+      const bool even = column / 2 % 2 == 0;
+      empty.image_bgr.at<cv::Vec3b>(row, column) =
+          even ? cv::Vec3b(220, 40, 60) : cv::Vec3b(40, 220, 160);
+    }
+  }
+  const EmptyTableMask mask(world.calibration(), std::make_shared<const Frame>(empty));
+  Frame frame = empty;
+  frame.image_bgr = empty.image_bgr.clone();
+  const cv::Rect object(150, 100, 90, 80);
+  frame.image_bgr(object).setTo(cv::Scalar(130, 130, 110));
+  cv::Mat truth = cv::Mat::zeros(frame.image_bgr.size(), CV_8U);
+  truth(object).setTo(255);
+  EXPECT_GT(overlap(mask.maskOf(frame), truth), 0.85);
+}
+
 TEST(MovingMask, FindsTheObjectOnceTheTableHasTurned) {
   const test::TurningCylinder world;
   MovingMask moving;
