@@ -68,7 +68,8 @@ cv::Rect frameOf(const PointCloud& cloud, const Calibration& calibration, int vi
   cv::Point2d least(camera.width_px, camera.height_px);
   cv::Point2d most(0.0, 0.0);
   for (int side = 0; side < kSides; ++side) {
-    const double angle_rad = kTurn_rad * (views * side / kSides) / views;
+    const int view = views * side / kSides;
+    const double angle_rad = kTurn_rad * view / views;
     const Rigid3 pose = camFromTable(*calibration.cam_from_table, angle_rad);
     for (const Point& point : cloud.points) {
       const auto pixel = camera.project(pose * point.position);

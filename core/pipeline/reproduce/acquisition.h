@@ -5,11 +5,10 @@
 #include <string>
 #include <vector>
 
-#include <opencv2/core/mat.hpp>
-
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/scan/experiment_table.h"
+#include "core/scan/frame.h"
 
 namespace gyre {
 

@@ -14,9 +14,10 @@
 namespace gyre {
 namespace {
 
+// Blue, green, red.
 const cv::Scalar kPaper(255, 255, 255);
-const Eigen::Vector3d kClay_bgr(190.0, 205.0, 215.0);
-const Eigen::Vector3d kWithin_bgr(60.0, 60.0, 150.0);
+const Eigen::Vector3d kClay(190.0, 205.0, 215.0);
+const Eigen::Vector3d kWithin(60.0, 60.0, 150.0);
 constexpr double kAmbient = 0.25;
 constexpr int kDot_px = 2;  // radius, in a picture 1280 pixels wide
 constexpr int kDotPictureWidth_px = 1280;
@@ -67,8 +68,7 @@ cv::Mat pictureOfSurface(const Mesh& mesh, const CameraModel& camera,
               const Eigen::Vector3d normal = normalOf(mesh, hits[at]);
               const bool within = normal.dot(rays.direction[at].cast<double>()) > 0.0;
               const double lit = std::max(0.0, within ? 0.5 : normal.dot(light));
-              row[x + i] =
-                  shade(within ? kWithin_bgr : kClay_bgr, kAmbient + (1.0 - kAmbient) * lit);
+              row[x + i] = shade(within ? kWithin : kClay, kAmbient + (1.0 - kAmbient) * lit);
             }
           }
         }
@@ -92,9 +92,8 @@ cv::Mat pictureOfPoints(const PointCloud& cloud, const CameraModel& camera,
   for (const auto& [depth, point] : facing) {
     const auto pixel = camera.project(cam_from_table * point->position);
     if (!pixel || !camera.contains(*pixel)) continue;
-    cv::circle(picture, {static_cast<int>(pixel->x() + 0.5), static_cast<int>(pixel->y() + 0.5)},
-               radius_px, cv::Scalar(point->rgb[2], point->rgb[1], point->rgb[0]), cv::FILLED,
-               cv::LINE_AA);
+    cv::circle(picture, cv::Point(cvRound(pixel->x()), cvRound(pixel->y())), radius_px,
+               cv::Scalar(point->rgb[2], point->rgb[1], point->rgb[0]), cv::FILLED, cv::LINE_AA);
   }
   return picture;
 }

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <opencv2/core/mat.hpp>
-
 #include "core/geometry/camera_model.h"
 #include "core/geometry/rigid3.h"
+#include "core/scan/frame.h"
 #include "core/scan/mesh.h"
 #include "core/scan/point_cloud.h"
 

@@ -28,25 +28,25 @@ constexpr int kViews = 36;
 class FindCamera : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    dir_ = std::make_unique<TempDir>();
+    dir = std::make_unique<TempDir>();
     const test::TurningCylinder world;
-    std::filesystem::create_directories(dir_->path() / "pictures");
+    std::filesystem::create_directories(dir->path() / "pictures");
     for (int view = 0; view < kViews; ++view) {
       char name[16];
       std::snprintf(name, sizeof name, "v%02d.png", view);
       const double angle_rad = radFromDeg(360.0 / kViews * view);
       ASSERT_TRUE(
-          writePicture(dir_->path() / "pictures" / name, world.render(angle_rad).image_bgr));
+          writePicture(dir->path() / "pictures" / name, world.render(angle_rad).image_bgr));
     }
-    ASSERT_TRUE(writePicture(dir_->path() / "empty.png", world.renderEmpty().image_bgr));
-    matched_ = matchPictures(prepared().views, {}).value();
+    ASSERT_TRUE(writePicture(dir->path() / "empty.png", world.renderEmpty().image_bgr));
+    matched = matchPictures(prepared().views, {}).value();
   }
-  static void TearDownTestSuite() { dir_.reset(); }
+  static void TearDownTestSuite() { dir.reset(); }
 
   static PreparedPictures prepared(std::optional<double> step_rad = std::nullopt) {
     PictureSet set;
-    set.pictures = dir_->path() / "pictures";
-    set.background = dir_->path() / "empty.png";
+    set.pictures = dir->path() / "pictures";
+    set.background = dir->path() / "empty.png";
     set.step_rad = step_rad;
     return preparePictures(set).value();
   }
@@ -56,18 +56,18 @@ class FindCamera : public ::testing::Test {
     return degFromRad(-std::asin(calibration.cam_from_table->rotation(2, 2)));
   }
 
-  const test::TurningCylinder world_;
-  static inline std::unique_ptr<TempDir> dir_;
-  static inline MatchedPictures matched_;
+  const test::TurningCylinder world_{};
+  static inline std::unique_ptr<TempDir> dir;
+  static inline MatchedPictures matched;
 };
 
 TEST_F(FindCamera, FromNothingButPictures) {
   PreparedPictures pictures = prepared();
   EXPECT_FALSE(pictures.angles_told);
-  const auto found = findCamera(pictures, matched_, {});
+  const auto found = findCamera(pictures, matched, {});
   ASSERT_TRUE(found) << found.error().sentence();
   EXPECT_GT(*found, 500U);
-  const auto steps = findAngles(pictures, matched_);
+  const auto steps = findAngles(pictures, matched);
   ASSERT_TRUE(steps) << steps.error().sentence();
   EXPECT_NEAR(degFromRad(steps->common_rad), 10.0, 0.05);
   EXPECT_TRUE(pictures.angles_told);
@@ -108,7 +108,7 @@ TEST_F(FindCamera, FromNothingButPictures) {
 TEST_F(FindCamera, WithAnglesThatAreToldKnowsWhichWayIsUp) {
   PreparedPictures pictures = prepared(radFromDeg(10.0));
   EXPECT_TRUE(pictures.angles_told);
-  ASSERT_TRUE(findCamera(pictures, matched_, {}));
+  ASSERT_TRUE(findCamera(pictures, matched, {}));
   EXPECT_NEAR(elevationDeg(pictures.calibration.calibration), elevationDeg(world_.calibration()),
               4.0);
   EXPECT_LT(pictures.calibration.calibration.cam_from_table->rotation(1, 2), 0.0);
@@ -122,7 +122,7 @@ TEST_F(FindCamera, OfACalibrationThatIsRoughlyKnown) {
   rough.cam_from_table->rotation = off.toRotationMatrix() * rough.cam_from_table->rotation;
   rough.cam_from_table->translation = -(rough.cam_from_table->rotation * centre);
   pictures.calibration = CalibrationRecord(rough);
-  ASSERT_TRUE(turnCamera(pictures, matched_, {}));
+  ASSERT_TRUE(turnCamera(pictures, matched, {}));
   const auto refined = solveCamera(pictures, {}, {true, true}, {});
   ASSERT_TRUE(refined) << refined.error().sentence();
   const Eigen::Matrix3d left = pictures.calibration.calibration.cam_from_table->rotation *
@@ -144,9 +144,9 @@ TEST_F(FindCamera, StopsWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   const Task task(stop.get_token());
-  const auto matched = matchPictures(pictures.views, task);
-  ASSERT_FALSE(matched);
-  EXPECT_EQ(matched.error().code, Error::Code::kCancelled);
+  const auto stopped = matchPictures(pictures.views, task);
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, Error::Code::kCancelled);
   pictures.calibration = CalibrationRecord(world_.calibration());
   const auto refined = solveCamera(pictures, {}, {}, task);
   ASSERT_FALSE(refined);
