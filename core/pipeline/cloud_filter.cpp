@@ -76,9 +76,9 @@ void SilhouetteRecord::addView(const cv::Mat& mask, double table_angle_rad) {
   view.added = added;
   view.cam_from_table = camFromTable(*calibration_.cam_from_table, table_angle_rad);
   // Grown by a few pixels: masks are not exact to the pixel, and points sit on the outline.
-  cv::Mat grown;
-  cv::dilate(mask, grown, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
-  cv::resize(grown, view.mask, {mask.cols / kShrink, mask.rows / kShrink}, 0, 0, cv::INTER_AREA);
+  cv::Mat small;
+  cv::resize(mask, small, {mask.cols / kShrink, mask.rows / kShrink}, 0, 0, cv::INTER_AREA);
+  cv::dilate(small, view.mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
   views_.push_back(std::move(view));
 }
 
