@@ -274,9 +274,13 @@ void Finisher::gatherSightings() {
   double squares = 0.0;
   double ray_distances_mm = 0.0;
   result_.sightings.assign(candidates_.size(), {});
+  std::size_t all = 0;
+  for (const Point& point : result_.cloud.points) all += point.views.size();
+  distances_px.reserve(all);
   for (std::size_t index = 0; index < candidates_.size(); ++index) {
-    const Candidate& candidate = candidates_[index];
+    Candidate& candidate = candidates_[index];
     const Eigen::Vector3d& position = candidate.estimated->position_in_table;
+    result_.sightings[index].reserve(result_.cloud.points[index].views.size());
     for (std::size_t i = 0; i < candidate.sightings.size(); ++i) {
       if (candidate.estimated->agrees[i] == 0) continue;
       const Observation& seen = candidate.observations[i];
@@ -289,7 +293,9 @@ void Finisher::gatherSightings() {
       ray_distances_mm +=
           distanceToLine(rayThrough(pose, candidate.sightings[i].normalized), position);
     }
+    candidate = {};  // makes room as the result grows
   }
+  candidates_.clear();
   result_.observations = distances_px.size();
   if (distances_px.empty()) return;
   const auto count = static_cast<double>(distances_px.size());

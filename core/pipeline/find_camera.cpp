@@ -78,7 +78,7 @@ Result<void> turnCamera(PreparedPictures& prepared, const MatchedPictures& match
   auto turned = turnedCalibration(matches, prepared.calibration.calibration,
                                   RoughTurntableOptions{}.tolerance_px, task);
   if (!turned) return turned.error();
-  prepared.calibration = CalibrationRecord(std::move(*turned));
+  prepared.calibration.calibration = std::move(*turned);
   return {};
 }
 

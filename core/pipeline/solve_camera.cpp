@@ -61,7 +61,10 @@ Result<SolvedCamera> refineOnce(PreparedPictures& prepared, const ReconstructOpt
     for (const PixelTrack& track : tracks) positions.push_back(track.position_in_table);
     scaleCalibration(solved->calibration, placementOf(positions), kUnknownSize_mm);
   }
-  prepared.calibration = CalibrationRecord(solved->calibration);
+  // What was said of the calibration that came is not true of this one.
+  prepared.calibration.calibration = solved->calibration;
+  prepared.calibration.report.reset();
+  prepared.calibration.covariance.reset();
   for (std::size_t i = 0; i < prepared.views.size(); ++i) {
     prepared.views[i].table_angle_rad = solved->angles_rad[i];
   }

@@ -35,8 +35,7 @@ class FindCamera : public ::testing::Test {
       char name[16];
       std::snprintf(name, sizeof name, "v%02d.png", view);
       const double angle_rad = radFromDeg(360.0 / kViews * view);
-      ASSERT_TRUE(
-          writePicture(dir->path() / "pictures" / name, world.render(angle_rad).image_bgr));
+      ASSERT_TRUE(writePicture(dir->path() / "pictures" / name, world.render(angle_rad).image_bgr));
     }
     ASSERT_TRUE(writePicture(dir->path() / "empty.png", world.renderEmpty().image_bgr));
     matched = matchPictures(prepared().views, {}).value();
@@ -122,9 +121,13 @@ TEST_F(FindCamera, OfACalibrationThatIsRoughlyKnown) {
   rough.cam_from_table->rotation = off.toRotationMatrix() * rough.cam_from_table->rotation;
   rough.cam_from_table->translation = -(rough.cam_from_table->rotation * centre);
   pictures.calibration = CalibrationRecord(rough);
+  pictures.calibration.report = CalibrationReport{};
+  pictures.calibration.target = "ring";
   ASSERT_TRUE(turnCamera(pictures, matched, {}));
   const auto refined = solveCamera(pictures, {}, {true, true}, {});
   ASSERT_TRUE(refined) << refined.error().sentence();
+  EXPECT_FALSE(pictures.calibration.report);  // it was about another calibration
+  EXPECT_EQ(pictures.calibration.target, "ring");
   const Eigen::Matrix3d left = pictures.calibration.calibration.cam_from_table->rotation *
                                world_.calibration().cam_from_table->rotation.transpose();
   EXPECT_LT(degFromRad(Eigen::AngleAxisd(left).angle()), 0.3);
