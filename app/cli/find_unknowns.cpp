@@ -73,7 +73,12 @@ bool giveSize(const UnknownRig& rig, bool calibrated, PreparedPictures& prepared
               Reconstruction& model, Console& console) {
   if (!rig.known_length_mm && calibrated) return true;
   const double length_mm = rig.known_length_mm.value_or(kUnknownSize_mm);
-  const double scale = scaleModel(model, prepared.calibration.calibration, length_mm);
+  CalibrationRecord& record = prepared.calibration;
+  const double scale = scaleModel(model, record.calibration, length_mm);
+  // What was said of the calibration that came is not true of one that is scaled.
+  record.report.reset();
+  record.covariance.reset();
+  record.table_from_target.reset();
   if (!rig.known_length_mm) {
     console.say(
         "Its size is unknown: the longest line through the model is taken to be 100 mm. Name the "

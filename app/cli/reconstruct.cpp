@@ -32,7 +32,8 @@ struct Words {
 };
 
 Result<void> readStep(const std::string& text, PictureSet& set) {
-  if (text.empty() || text == "auto") return {};
+  set.find_steps = text == "auto";
+  if (text.empty() || set.find_steps) return {};
   double step_deg = 0.0;
   const char* end = text.data() + text.size();
   const auto [stop, problem] = std::from_chars(text.data(), end, step_deg);

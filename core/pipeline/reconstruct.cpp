@@ -69,7 +69,6 @@ Result<PreparedPictures> openFolder(const PictureSet& set) {
   auto files = listPictures(set.pictures);
   if (!files) return files.error();
   PreparedPictures prepared;
-  prepared.angles_told = !set.angles.empty() || set.step_rad.has_value();
   for (fs::path& file : *files) {
     std::string name = file.filename().string();
     prepared.views.push_back({std::move(name), std::move(file), {}, 0.0});
@@ -141,6 +140,8 @@ Result<PreparedPictures> preparePictures(const PictureSet& set) {
     return invalid("The calibration does not say where the table is.",
                    "Calibrate with the target on the turning table.");
   }
+  const bool named = !set.angles.empty() || set.step_rad.has_value();
+  prepared->angles_told = named || (isScan(set.pictures) && !set.find_steps);
   if (auto applied = applyAngles(set, *prepared); !applied) return applied.error();
   if (auto ordered = orderViews(prepared->views); !ordered) return ordered.error();
   if (calibrated) {

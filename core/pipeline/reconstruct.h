@@ -25,6 +25,7 @@ struct PictureSet {
   std::filesystem::path calibration;  // calibration.json; without one, see findCamera
   std::filesystem::path angles;       // angles.csv; without angles or step, see findAngles
   std::optional<double> step_rad;     // instead of angles: pictures in natural order, so far apart
+  bool find_steps = false;            // instead of both, and of what a scan says: findAngles
   std::filesystem::path masks;        // a folder: same stem, .png, above 127 = object
   std::filesystem::path background;   // a picture of the bare table, or a folder of them
 };
@@ -43,8 +44,8 @@ struct PreparedPictures {
   CalibrationRecord calibration;
   FramePtr empty_table;            // may be null
   std::vector<PictureView> views;  // ascending angles
-  // False where nobody told the angles: the views are then in the order of their names, at angles
-  // that say no more (findAngles).
+  // False where nobody told the angles, or they are not to be believed: the views are then in the
+  // order of their names, at angles that say no more (findAngles).
   bool angles_told = true;
 };
 

@@ -16,7 +16,7 @@ namespace {
 // How well a calibration knows its focal length, and pictures alone. A share of it.
 constexpr double kCalibratedFocal = 0.005;
 constexpr double kUnknownFocal = 1.0;
-// The same for the principal point; a share of the picture's width.
+// The same for the principal point; unknown, as a share of the picture's width.
 constexpr double kCalibratedCentre_px = 1.0;
 constexpr double kUnknownCentre = 0.01;
 // The same for the first coefficient of distortion.
@@ -26,8 +26,8 @@ constexpr double kUnknownK1 = 0.1;
 constexpr double kFoundAngles_rad = radFromDeg(1.0);
 constexpr double kLeastAngles_rad = radFromDeg(0.001);  // of a motor that is believed
 
-Result<SolvedCamera> refineOnce(PreparedPictures& prepared, const ReconstructOptions& options,
-                                const CameraKnowledge& known, const Task& task) {
+Result<SolvedCamera> solveOnce(PreparedPictures& prepared, const ReconstructOptions& options,
+                               const CameraKnowledge& known, const Task& task) {
   auto features = reconstruct(prepared, options, {}, task.part(0.0, 0.9));
   if (!features) return features.error();
   std::vector<PixelTrack> tracks;
@@ -82,7 +82,7 @@ Result<SolvedCamera> solveCamera(PreparedPictures& prepared, const ReconstructOp
   const int rounds = known.calibrated ? 1 : 2;
   Result<SolvedCamera> refined = SolvedCamera{};
   for (int round = 0; round < rounds; ++round) {
-    refined = refineOnce(
+    refined = solveOnce(
         better, features_only, known,
         task.part(static_cast<double>(round) / rounds, static_cast<double>(round + 1) / rounds));
     if (!refined) return refined;

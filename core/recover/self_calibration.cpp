@@ -11,8 +11,6 @@
 #include <ceres/rotation.h>
 #include <Eigen/Geometry>
 
-#include "core/geometry/turntable_pose.h"
-
 namespace gyre {
 namespace {
 

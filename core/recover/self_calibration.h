@@ -45,10 +45,10 @@ struct SelfCalibration {
 };
 
 // Turns the camera where it stands, and changes its focal length, its first coefficient of
-// distortion, the table's angles and all points until the sightings agree best, robustly (Cauchy).
-// The camera's place over the table stays: turned about the axis, along it, or at another distance
-// from it, the same pictures show, but for the size of the object. So the size is as good as the
-// distance is known, and as the focal length is told by perspective.
+// distortion and its principal point, the table's angles and all points until the sightings agree
+// best, robustly (Cauchy). The camera's place over the table stays: turned about the axis, along
+// it, or at another distance from it, the same pictures show, but for the size of the object. So
+// the size is as good as the distance is known, and as the focal length is told by perspective.
 //
 // kTooFew with fewer than 50 tracks, kCancelled when stopped, kInternal when the solver gives up.
 // Triggs et al., "Bundle adjustment - a modern synthesis" (2000).

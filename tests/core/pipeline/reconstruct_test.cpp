@@ -94,6 +94,14 @@ TEST_F(Reconstruct, SaysWhatIsMissing) {
   EXPECT_NE(preparePictures(without_table).error().what.find("table"), std::string::npos);
 }
 
+TEST_F(Reconstruct, BelievesAnglesThatAreNamedBeforeItIsToldToFindThem) {
+  PictureSet both = set();
+  EXPECT_TRUE(preparePictures(both)->angles_told);
+  both.angles.clear();
+  both.find_steps = true;
+  EXPECT_FALSE(preparePictures(both)->angles_told);
+}
+
 TEST_F(Reconstruct, TakesPicturesOfWhichNothingIsKnown) {
   PictureSet bare;
   bare.pictures = pictures();
