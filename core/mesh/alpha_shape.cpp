@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "core/base/median.h"
-#include "core/mesh/alpha_facets.h"
 #include "core/mesh/components.h"
 #include "core/mesh/kd_tree.h"
 #include "core/mesh/manifold_selection.h"
-#include "core/mesh/point_normals.h"
-#include "core/mesh/settle_points.h"
 #include "core/mesh/small_holes.h"
+#include "core/mesh/surface_points.h"
 #include "core/mesh/thin_points.h"
 
 namespace gyre {
@@ -39,60 +37,28 @@ Error tooFew() {
           "Scan the object from more views, or with more texture on it."};
 }
 
-Result<void> check(const PointCloud& cloud) {
-  if (cloud.points.size() < 4) return tooFew();
-  for (const Point& point : cloud.points) {
-    if (!point.position.allFinite() || !point.normal.allFinite() || !point.covariance.allFinite()) {
-      return Error{Error::Code::kInvalidInput, "The cloud holds a coordinate that is not a number.",
-                   "Write the points again with finite coordinates."};
-    }
-  }
-  return {};
+// The spacing to thin to.
+double evenSpacing(const PointCloud& cloud, const KdTree& tree) {
+  std::vector<double> sigma_mm;
+  sigma_mm.reserve(cloud.points.size());
+  for (const Point& point : cloud.points) sigma_mm.push_back(point.sigmaMm());
+  return std::max(kSpacingShare * spacingQuantile(localSpacing(tree), 0.5),
+                  kSpacingSigmas * median(sigma_mm));
 }
 
-KdTree treeOf(const PointCloud& cloud) {
-  std::vector<Eigen::Vector3d> positions;
-  positions.reserve(cloud.points.size());
-  for (const Point& point : cloud.points) positions.push_back(point.position);
-  return KdTree(std::move(positions));
-}
-
-bool lacksNormals(const PointCloud& cloud) {
-  return std::all_of(cloud.points.begin(), cloud.points.end(),
-                     [](const Point& point) { return point.normal.isZero(); });
-}
-
-MeshVertex vertexOf(const Point& point) {
-  MeshVertex vertex;
-  vertex.position = point.position;
-  vertex.normal = point.normal;
-  vertex.rgb = point.rgb;
-  vertex.sigma_mm = static_cast<float>(point.sigmaMm());
-  vertex.views = static_cast<std::uint16_t>(std::min<std::size_t>(point.views.size(), 65535));
-  return vertex;
-}
-
-// Makes the settled points even; sets the spacing and the vertices of the shape.
-Result<void> placeVertices(const PointCloud& cloud, double wanted_spacing_mm,
-                           AlphaShapeMesh& shape) {
-  if (cloud.points.size() < 4) return tooFew();
-  const KdTree tree = treeOf(cloud);
+std::vector<MeshVertex> thinned(const PointCloud& cloud, const KdTree& tree, double spacing_mm) {
   std::vector<double> sigma_mm;
   std::vector<Eigen::Vector3d> normals;
   for (const Point& point : cloud.points) {
     sigma_mm.push_back(point.sigmaMm());
     normals.push_back(point.normal);
   }
-  shape.spacing_mm = wanted_spacing_mm;
-  if (shape.spacing_mm == 0.0) {
-    shape.spacing_mm = std::max(kSpacingShare * spacingQuantile(localSpacing(tree), 0.5),
-                                kSpacingSigmas * median(sigma_mm));
+  const std::vector<double> radius_mm(cloud.points.size(), spacing_mm);
+  std::vector<MeshVertex> vertices;
+  for (const std::uint32_t kept : thinPoints(tree, {sigma_mm, normals, radius_mm})) {
+    vertices.push_back(vertexOf(cloud.points[kept]));
   }
-  if (!(shape.spacing_mm > 0.0)) return tooFew();
-  for (const std::uint32_t kept : thinPoints(tree, {sigma_mm, normals}, shape.spacing_mm)) {
-    shape.mesh.vertices.push_back(vertexOf(cloud.points[kept]));
-  }
-  return {};
+  return vertices;
 }
 
 // Facets whose outer side is the one that their corners' normals look to.
@@ -113,62 +79,66 @@ void addOutwardFacets(const std::vector<AlphaFacet>& facets, int level,
   }
 }
 
-// Spans the vertices of the shape with triangles.
-Result<void> placeTriangles(AlphaShapeMesh& shape) {
-  std::vector<Eigen::Vector3d> places;
-  places.reserve(shape.mesh.vertices.size());
-  for (const MeshVertex& vertex : shape.mesh.vertices) places.push_back(vertex.position);
-  std::vector<double> alphas_mm;
-  alphas_mm.reserve(std::size(kAlphaLadder));
-  for (const double step : kAlphaLadder) alphas_mm.push_back(step * shape.alpha_mm);
-  const auto facets = outerAlphaFacets(places, alphas_mm);
-  if (!facets) return facets.error();
-  std::vector<TriangleCandidate> candidates;
-  for (std::size_t level = 0; level < facets->size(); ++level) {
-    addOutwardFacets((*facets)[level], static_cast<int>(level), shape.mesh.vertices, candidates);
-  }
-  shape.mesh.triangles = selectManifold(std::move(candidates));
-  closeSmallHoles(shape.mesh, {.max_perimeter_mm = kHolePerimeterAlphas * shape.alpha_mm});
-  return {};
-}
-
 }  // namespace
 
-Result<AlphaShapeMesh> alphaShapeMesh(const PointCloud& cloud, const AlphaShapeOptions& options,
-                                      const Task& task) {
+AlphaShape::AlphaShape(std::vector<MeshVertex> vertices, AlphaFiltration filtration)
+    : vertices_(std::move(vertices)), filtration_(std::move(filtration)) {}
+
+Result<AlphaShape> AlphaShape::prepare(const PointCloud& cloud, const AlphaShapeOptions& options,
+                                       const Task& task) {
   if (const Result<void> valid = options.validate(); !valid) return valid.error();
-  if (const Result<void> valid = check(cloud); !valid) return valid.error();
-  if (lacksNormals(cloud)) {
-    PointCloud with_normals = cloud;
-    const Result<void> set = setPointNormals(with_normals, {}, {}, task.part(0.0, 0.2));
-    if (!set) return set.error();
-    if (lacksNormals(with_normals)) return tooFew();
-    return alphaShapeMesh(with_normals, options, task.part(0.2, 1.0));
-  }
-
-  task.report(0.0, "Smoothing the points");
-  const Result<PointCloud> settled = settlePoints(cloud, treeOf(cloud), task);
+  const Result<PointCloud> settled = settledCloud(cloud, task.part(0.0, 0.5));
   if (!settled) return settled.error();
-
-  AlphaShapeMesh shape;
-  const Result<void> thinned = placeVertices(*settled, options.spacing_mm, shape);
-  if (!thinned) return thinned.error();
-  shape.alpha_mm =
-      options.alpha_mm > 0.0 ? options.alpha_mm : options.alpha_spacings * shape.spacing_mm;
+  if (settled->points.size() < 4) return tooFew();
+  const KdTree tree(positionsOf(*settled));
+  const double spacing_mm =
+      options.spacing_mm > 0.0 ? options.spacing_mm : evenSpacing(*settled, tree);
+  if (!(spacing_mm > 0.0)) return tooFew();
+  std::vector<MeshVertex> vertices = thinned(*settled, tree, spacing_mm);
+  std::vector<Eigen::Vector3d> places;
+  places.reserve(vertices.size());
+  for (const MeshVertex& vertex : vertices) places.push_back(vertex.position);
+  auto tetrahedra = delaunay(std::move(places), task.part(0.5, 0.9));
+  if (!tetrahedra) return tetrahedra.error();
+  AlphaShape shape(std::move(vertices), AlphaFiltration(std::move(*tetrahedra)));
+  shape.spacing_mm_ = spacing_mm;
+  shape.automatic_alpha_mm_ = options.alpha_spacings * spacing_mm;
+  shape.min_component_share_ = options.min_component_share;
   if (task.stopRequested()) return cancelled();
+  return shape;
+}
 
-  task.report(0.5, "Building the surface");
-  const Result<void> spanned = placeTriangles(shape);
-  if (!spanned) return spanned.error();
-  removeSmallComponents(shape.mesh, options.min_component_share);
+Result<AlphaShapeMesh> AlphaShape::at(double alpha_mm) const {
+  std::vector<TriangleCandidate> candidates;
+  int level = 0;
+  for (const double step : kAlphaLadder) {
+    addOutwardFacets(filtration_.outerBoundary(step * alpha_mm), level++, vertices_, candidates);
+  }
+  AlphaShapeMesh shape;
+  shape.alpha_mm = alpha_mm;
+  shape.spacing_mm = spacing_mm_;
+  shape.mesh.vertices = vertices_;
+  shape.mesh.triangles = selectManifold(std::move(candidates));
+  closeSmallHoles(shape.mesh, {.max_perimeter_mm = kHolePerimeterAlphas * alpha_mm});
+  removeSmallComponents(shape.mesh, min_component_share_);
   if (shape.mesh.triangles.empty()) {
     return Error{Error::Code::kTooFew, "The points lie too far apart to make a surface.",
                  "Choose a larger alpha, or scan the object with more texture on it."};
   }
   computeNormals(shape.mesh);
-  if (task.stopRequested()) return cancelled();
-  task.report(1.0, "Surface made");
   return shape;
+}
+
+Result<AlphaShapeMesh> alphaShapeMesh(const PointCloud& cloud, const AlphaShapeOptions& options,
+                                      const Task& task) {
+  const auto shape = AlphaShape::prepare(cloud, options, task.part(0.0, 0.9));
+  if (!shape) return shape.error();
+  if (task.stopRequested()) return cancelled();
+  task.report(0.9, "Building the surface");
+  auto made = shape->at(options.alpha_mm > 0.0 ? options.alpha_mm : shape->automaticAlphaMm());
+  if (task.stopRequested()) return cancelled();
+  if (made) task.report(1.0, "Surface made");
+  return made;
 }
 
 }  // namespace gyre

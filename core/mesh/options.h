@@ -38,4 +38,35 @@ struct AlphaShapeOptions {
   Result<void> validate() const { return validateRanges(*this); }
 };
 
+struct VisibilityCutOptions {
+  // Points nearer together than this are thinned; 0 lets spacing and noise decide. [mm], 0..1000
+  double spacing_mm = 0.0;
+  // So many lines of sight of each point are followed, spread over its views. 1..200; time grows
+  // with it.
+  int rays_per_point = 8;
+  // How much smooth walls of even triangles are preferred: what a wall of bad triangles costs,
+  // against one line of sight cut through. 0..100; larger closes gaps with fewer folds, and cuts
+  // off thin parts that few cameras saw.
+  double quality = 1.0;
+  // Pieces with less than this share of the largest one's volume are left out. 0..1
+  double min_component_share = 0.02;
+
+  template <class V>
+  void describe(V& visit) {
+    visit({"spacing", "mm", 0.0, 1000.0,
+           "Points nearer together than this are thinned; 0 lets spacing and noise decide."},
+          spacing_mm);
+    visit({"rays-per-point", "", 1, 200, "Lines of sight of each point that are followed."},
+          rays_per_point);
+    visit({"quality", "", 0.0, 100.0,
+           "Preference for smooth walls, against one line of sight cut through."},
+          quality);
+    visit({"min-component", "", 0.0, 1.0,
+           "Pieces with less than this share of the largest piece's volume are left out."},
+          min_component_share);
+  }
+
+  Result<void> validate() const { return validateRanges(*this); }
+};
+
 }  // namespace gyre

@@ -26,7 +26,9 @@ PointCloud thinned(const PointCloud& cloud, double apart_mm) {
     sigma_mm.push_back(point.sigmaMm());
   }
   PointCloud thin;
-  for (const std::uint32_t i : thinPoints(KdTree(positions), {sigma_mm, normals}, apart_mm)) {
+  const std::vector<double> radius_mm(positions.size(), apart_mm);
+  for (const std::uint32_t i :
+       thinPoints(KdTree(positions), {sigma_mm, normals, radius_mm})) {
     thin.points.push_back(cloud.points[i]);
   }
   return thin;

@@ -43,9 +43,9 @@ double spacingQuantile(std::span<const double> spacing_mm, double q) {
   return ascending.empty() ? 0.0 : ascending.back();
 }
 
-std::vector<std::uint32_t> thinPoints(const KdTree& points, const ThinningInput& input,
-                                      double radius_mm) {
-  GYRE_CHECK(input.cost.size() == points.size() && input.normals.size() == points.size());
+std::vector<std::uint32_t> thinPoints(const KdTree& points, const ThinningInput& input) {
+  GYRE_CHECK(input.cost.size() == points.size() && input.normals.size() == points.size() &&
+             input.radius_mm.size() == points.size());
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
@@ -56,7 +56,7 @@ std::vector<std::uint32_t> thinPoints(const KdTree& points, const ThinningInput&
     if (covered[candidate]) continue;
     kept.push_back(candidate);
     const Eigen::Vector3d& normal = input.normals[candidate];
-    for (const auto& [index, squared_mm2] : points.within(points.point(candidate), radius_mm)) {
+    for (const auto& [index, squared_mm2] : points.within(points.point(candidate), input.radius_mm[candidate])) {
       if (squared_mm2 == 0.0 || normal.dot(input.normals[index]) >= 0.0) covered[index] = 1;
     }
   }

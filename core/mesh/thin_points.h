@@ -22,12 +22,13 @@ double spacingQuantile(std::span<const double> spacing_mm, double q);
 struct ThinningInput {
   std::span<const double> cost;              // the least stays, then the lower index
   std::span<const Eigen::Vector3d> normals;  // unit, outward
+  std::span<const double> radius_mm;         // how near another may not lie
 };
 
-// Indices, ascending, of points no two of which lie nearer than radius_mm on the same side of the
-// object, and that leave no other point of their side farther away (Poisson disc). Points whose
-// normals are more than a right angle apart lie on different sides, those of a thin wall.
-std::vector<std::uint32_t> thinPoints(const KdTree& points, const ThinningInput& input,
-                                      double radius_mm);
+// Indices, ascending, of points none of which lies nearer than its radius to one of less cost on the
+// same side of the object, and that leave no other point of their side farther away from all
+// (Poisson disc). Points whose normals are more than a right angle apart lie on different sides,
+// those of a thin wall.
+std::vector<std::uint32_t> thinPoints(const KdTree& points, const ThinningInput& input);
 
 }  // namespace gyre

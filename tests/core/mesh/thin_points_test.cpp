@@ -37,7 +37,8 @@ TEST(ThinPoints, KeepsADistanceAndCoversTheRest) {
   const KdTree points = plane(40, 0.25);
   const std::vector<double> cost(points.size(), 1.0);
   const std::vector<Eigen::Vector3d> normals(points.size(), Eigen::Vector3d::UnitZ());
-  const auto kept = thinPoints(points, {cost, normals}, 1.0);
+  const std::vector<double> radius_mm(points.size(), 1.0);
+  const auto kept = thinPoints(points, {cost, normals, radius_mm});
   std::vector<Eigen::Vector3d> kept_points;
   for (const std::uint32_t i : kept) kept_points.push_back(points.point(i));
   const KdTree tree(kept_points);
@@ -53,8 +54,26 @@ TEST(ThinPoints, PrefersTheBetterPoint) {
   const KdTree pair({{0, 0, 0}, {0.1, 0, 0}});
   const std::vector<double> cost = {0.5, 0.2};
   const std::vector<Eigen::Vector3d> normals(2, Eigen::Vector3d::UnitZ());
-  EXPECT_EQ(thinPoints(pair, {cost, normals}, 1.0), std::vector<std::uint32_t>{1});
-  EXPECT_TRUE(thinPoints(KdTree({}), {}, 1.0).empty());
+  const std::vector<double> radius_mm(pair.size(), 1.0);
+  EXPECT_EQ(thinPoints(pair, {cost, normals, radius_mm}), std::vector<std::uint32_t>{1});
+  EXPECT_TRUE(thinPoints(KdTree({}), {}).empty());
+}
+
+TEST(ThinPoints, KeepsADenseSideDenser) {
+  const KdTree points = plane(40, 0.25);
+  const std::vector<double> cost(points.size(), 1.0);
+  const std::vector<Eigen::Vector3d> normals(points.size(), Eigen::Vector3d::UnitZ());
+  std::vector<double> radius_mm;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    radius_mm.push_back(points.point(i).x() < 5.0 ? 0.1 : 1.2);
+  }
+  std::size_t dense = 0;
+  std::size_t sparse = 0;
+  for (const std::uint32_t i : thinPoints(points, {cost, normals, radius_mm})) {
+    ++(points.point(i).x() < 5.0 ? dense : sparse);
+  }
+  EXPECT_GT(dense, 600U);
+  EXPECT_LT(sparse, 100U);
 }
 
 TEST(ThinPoints, KeepsBothSidesOfAThinWall) {
@@ -62,7 +81,8 @@ TEST(ThinPoints, KeepsBothSidesOfAThinWall) {
   const std::vector<double> cost(3, 0.0);
   const std::vector<Eigen::Vector3d> normals = {-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(),
                                                 -Eigen::Vector3d::UnitZ()};
-  EXPECT_EQ(thinPoints(pair, {cost, normals}, 1.0), (std::vector<std::uint32_t>{0, 1}));
+  const std::vector<double> radius_mm(pair.size(), 1.0);
+  EXPECT_EQ(thinPoints(pair, {cost, normals, radius_mm}), (std::vector<std::uint32_t>{0, 1}));
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// Every alpha shape of a set of points, from one triangulation.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/mesh/tetrahedra.h"
+#include "core/scan/mesh.h"
+
+namespace gyre {
+
+// A triangle of an alpha shape.
+struct AlphaFacet {
+  Triangle corners{};       // indices of points, counter-clockwise seen from the outside
+  double radius_mm = 0.0;   // of the triangle's circumscribed circle
+  bool both_sides = false;  // the outside touches it from behind as well: a sheet
+};
+
+// Of every facet of a Delaunay triangulation, the radii alpha at which it belongs to the boundary
+// of the alpha shape (general mode, as CGAL's Alpha_shape_3 has it): it joins the shape when its
+// own smallest ball, where that holds no other point, or the ball of a cell beside it is no larger
+// than alpha, and it is inside when the balls of both cells are. Edelsbrunner and Muecke,
+// "Three-dimensional alpha shapes" (1994). Reading is safe from any thread.
+class AlphaFiltration {
+ public:
+  explicit AlphaFiltration(Tetrahedra tetrahedra);
+
+  const Tetrahedra& tetrahedra() const { return tetrahedra_; }
+
+  // All radii at which some facet joins or leaves the boundary, ascending. [mm]
+  std::vector<double> alphasMm() const;
+
+  // The boundary at alpha >= 0: what is outside or inside is told by the cells alone, so the walls
+  // of hollows are there too. A facet without a solid cell beside it is a sheet.
+  std::vector<AlphaFacet> boundary(double alpha_mm) const;
+
+  // The part of it that a ball of this radius touches which comes from infinity and passes through
+  // no facet of the shape: walls of hollows that it cannot enter are left out.
+  std::vector<AlphaFacet> outerBoundary(double alpha_mm) const;
+
+ private:
+  struct Facet {
+    std::uint32_t cell = 0;   // the finite one of the two where only one is
+    std::uint8_t side = 0;
+    double joins_mm2 = 0.0;   // alpha^2 from which it belongs to the shape
+    double leaves_mm2 = 0.0;  // alpha^2 from which it is inside
+    double radius_mm2 = 0.0;  // its own, squared
+  };
+
+  bool isSolid(std::uint32_t cell, double alpha_mm2) const;
+  AlphaFacet seenFrom(const Facet& facet, bool front, bool back) const;
+  std::vector<char> reachedFromInfinity(double alpha_mm2) const;
+
+  Tetrahedra tetrahedra_;
+  std::vector<double> cell_radius_mm2_;  // squared; infinite for cells that reach infinity
+  std::vector<Facet> facets_;            // finite ones
+  std::vector<Tetrahedra::Cell> facet_of_side_;  // of each cell and side, in facets_
+};
+
+}  // namespace gyre

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/visibility_cut.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/base/median.h"
+#include "core/mesh/components.h"
+#include "core/mesh/free_space.h"
+#include "core/mesh/max_flow.h"
+#include "core/mesh/solid_cells.h"
+#include "core/mesh/surface_points.h"
+#include "core/mesh/tetrahedra.h"
+
+namespace gyre {
+namespace {
+
+Result<void> checkSights(const PointCloud& cloud, const SightEvidence& evidence) {
+  const std::size_t known = evidence.camera_centres.size();
+  const bool any = std::any_of(cloud.points.begin(), cloud.points.end(), [&](const Point& point) {
+    return std::any_of(point.views.begin(), point.views.end(),
+                       [&](std::uint32_t view) { return view < known; });
+  });
+  if (any) return {};
+  return Error{Error::Code::kInvalidInput,
+               "It is not known which views saw the points, so no line of sight can be followed.",
+               "Reconstruct again, or choose the alpha shape, which needs the points alone."};
+}
+
+SolidCells solidCells(const Tetrahedra& tetrahedra, const CellCut& cut, double min_share) {
+  SolidCells solid;
+  solid.reserve(cut.on_source_side.size());
+  for (const char outside : cut.on_source_side) solid.push_back(outside ? 0 : 1);
+  fillCavities(tetrahedra, solid);
+  freeCrumbs(tetrahedra, min_share, solid);
+  makeManifold(tetrahedra, solid);
+  // What was cut apart or closed off on the way.
+  fillCavities(tetrahedra, solid);
+  freeCrumbs(tetrahedra, min_share, solid);
+  return solid;
+}
+
+}  // namespace
+
+Result<VisibilityCutMesh> visibilityCut(const PointCloud& cloud, const SightEvidence& evidence,
+                                        const VisibilityCutOptions& options, const Task& task) {
+  if (const auto valid = options.validate(); !valid) return valid.error();
+  if (const auto known = checkSights(cloud, evidence); !known) return known.error();
+  const auto points = surfacePoints(cloud, options.spacing_mm, task.part(0.0, 0.2));
+  if (!points) return points.error();
+  const auto tetrahedra = delaunay(positionsOf(points->cloud), task.part(0.2, 0.4));
+  if (!tetrahedra) return tetrahedra.error();
+  auto graph = freeSpaceGraph(*tetrahedra, *points, evidence, options, task.part(0.4, 0.7));
+  if (!graph) return graph.error();
+  task.report(0.7, "Dividing inside from outside");
+  const auto cut = minimumCut(std::move(*graph), task.part(0.7, 0.9));
+  if (!cut) return cut.error();
+
+  VisibilityCutMesh result;
+  result.spacing_mm = median(points->spacing_mm);
+  const SolidCells solid = solidCells(*tetrahedra, *cut, options.min_component_share);
+  result.mesh.triangles = wallOf(*tetrahedra, solid);
+  if (result.mesh.triangles.empty()) {
+    return Error{Error::Code::kTooFew, "The lines of sight leave nothing solid.",
+                 "Check that points and calibration belong together; scan from more views."};
+  }
+  result.mesh.vertices.reserve(points->cloud.points.size());
+  for (const Point& point : points->cloud.points) result.mesh.vertices.push_back(vertexOf(point));
+  removeUnusedVertices(result.mesh);
+  computeNormals(result.mesh);
+  if (task.stopRequested()) return cancelled();
+  task.report(1.0, "Surface made");
+  return result;
+}
+
+}  // namespace gyre
