@@ -10,13 +10,15 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/cli/option_words.h"
 #include "app/cli/subcommands.h"
 #include "core/io/model_file.h"
 #include "core/io/obj.h"
 #include "core/io/ply.h"
 #include "core/io/visibility_file.h"
-#include "core/mesh/alpha_shape.h"
 #include "core/mesh/mesh_health.h"
+#include "core/pipeline/make_mesh.h"
+#include "core/pipeline/sights.h"
 
 namespace gyre {
 namespace {
@@ -27,17 +29,25 @@ struct Words {
   std::string input;
   std::string method = "auto";
   double alpha_mm = 0.0;
+  VisibilityCutOptions cut;
   std::string out;
 };
 
-// The points of a folder, a scan or a file, with the views that saw them where that is known.
-Result<PointCloud> readPoints(const std::string& input) {
+// points.ply of a folder or a scan, or the file itself.
+fs::path pointsFile(const std::string& input) {
   fs::path file = input;
   std::error_code ignored;
   if (file.extension() == ".gyre") file = file.parent_path() / "points.ply";
   if (fs::is_directory(file, ignored)) file /= "points.ply";
+  return file;
+}
+
+// The points of a folder, a scan or a file, with the views that saw them where that is known.
+Result<PointCloud> readPoints(const std::string& input) {
+  const fs::path file = pointsFile(input);
   auto cloud = readPointCloud(file);
   if (!cloud) return cloud;
+  std::error_code ignored;
   const fs::path visibility = file.parent_path() / "visibility.bin";
   if (file.filename() == "points.ply" && fs::exists(visibility, ignored)) {
     if (const auto read = readVisibility(visibility, *cloud); !read) return read.error();
@@ -52,19 +62,23 @@ Result<void> checkWords(const Words& words) {
                  "\"" + words.out + "\" does not end in a known mesh format.",
                  "Let the file's name end in .ply or .obj."};
   }
-  if (words.method != "auto" && words.method != "alpha") {
+  if (!meshMethodOf(words.method)) {
     return Error{Error::Code::kInvalidInput,
                  "This version cannot make a mesh by the method \"" + words.method + "\".",
-                 "Use --method alpha, or leave it out."};
+                 "Use --method closed or alpha, or leave it out."};
   }
   return {};
 }
 
-std::string healthText(const AlphaShapeMesh& surface) {
-  const MeshHealth health = meshHealth(surface.mesh);
+std::string healthText(const MadeMesh& made) {
+  const MeshHealth health = meshHealth(made.mesh);
   std::ostringstream text;
-  text << "Alpha shape, alpha " << std::setprecision(3) << surface.alpha_mm
-       << " mm: " << health.vertices << " vertices, " << health.triangles << " triangles, "
+  if (made.method == MeshMethod::kAlpha) {
+    text << "Alpha shape, alpha " << std::setprecision(3) << made.alpha_mm << " mm: ";
+  } else {
+    text << "Visibility cut: ";
+  }
+  text << health.vertices << " vertices, " << health.triangles << " triangles, "
        << health.components << (health.components == 1 ? " component, " : " components, ")
        << (health.closed ? "closed" : "open where no camera looked") << ".";
   return text.str();
@@ -72,17 +86,23 @@ std::string healthText(const AlphaShapeMesh& surface) {
 
 int run(const Words& words, Console& console, const Task& task) {
   if (const auto checked = checkWords(words); !checked) return console.wrongUse(checked.error());
+  MeshRequest request;
+  request.method = *meshMethodOf(words.method);
+  request.cut = words.cut;
+  request.alpha.alpha_mm = words.alpha_mm;
+  request.alpha.spacing_mm = words.cut.spacing_mm;
+  request.alpha.min_component_share = words.cut.min_component_share;
   const auto cloud = readPoints(words.input);
   if (!cloud) return console.fail(cloud.error());
-  AlphaShapeOptions options;
-  options.alpha_mm = words.alpha_mm;
-  const auto surface = alphaShapeMesh(*cloud, options, task);
-  if (!surface) return console.fail(surface.error());
+  const auto sights = readSights(pointsFile(words.input).parent_path());
+  if (!sights) return console.fail(sights.error());
+  const auto made = makeMesh(*cloud, *sights, request, task);
+  if (!made) return console.fail(made.error());
   const fs::path out = words.out;
   const auto written =
-      out.extension() == ".obj" ? writeObj(out, surface->mesh) : writePly(out, surface->mesh);
+      out.extension() == ".obj" ? writeObj(out, made->mesh) : writePly(out, made->mesh);
   if (!written) return console.fail(written.error());
-  console.say(healthText(*surface));
+  console.say(healthText(*made));
   return kDone;
 }
 
@@ -98,6 +118,7 @@ void addMesh(CLI::App& app, Run& chosen) {
   command->add_option("--alpha", words->alpha_mm, "Radius that bridges gaps, in mm")
       ->check(CLI::Range(1e-3, 1000.0));
   command->add_option("--out", words->out, "File to write: .ply or .obj")->required();
+  addOptionWords(*command, OptionList::of(words->cut), "Fine tuning");
   command->callback([&chosen, words] {
     chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };
   });

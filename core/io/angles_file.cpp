@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "core/base/units.h"
 #include "core/io/atomic_file.h"
@@ -82,24 +83,27 @@ std::string quotedIfNeeded(const std::string& name) {
 }
 
 // Returns what is wrong with the line, or nothing.
-std::optional<std::string> addLine(std::string_view line, AngleTable& angles) {
+std::optional<std::string> addLine(std::string_view line, AngleList& angles,
+                                   std::set<std::string>& named) {
   const auto cells = cellsOf(line);
   if (!cells || cells->size() != 2 || cells->front().empty()) {
     return "has something else than a name and a number";
   }
   const auto angle_rad = angleRad(cells->back());
   if (!angle_rad) return "has no usable angle (\"" + cells->back() + "\")";
-  if (!angles.emplace(cells->front(), *angle_rad).second) {
+  if (!named.insert(cells->front()).second) {
     return "names the picture \"" + cells->front() + "\" a second time";
   }
+  angles.push_back({cells->front(), *angle_rad});
   return std::nullopt;
 }
 
 }  // namespace
 
-Result<AngleTable> parseAngles(std::string_view text, const std::string& file) {
+Result<AngleList> parseAngleList(std::string_view text, const std::string& file) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  AngleTable angles;
+  AngleList angles;
+  std::set<std::string> named;
   bool header_seen = false;
   for (int number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -113,11 +117,25 @@ Result<AngleTable> parseAngles(std::string_view text, const std::string& file) {
       header_seen = true;
       continue;
     }
-    if (const auto problem = addLine(line, angles); problem) {
+    if (const auto problem = addLine(line, angles, named); problem) {
       return badFile(file, *problem + " in line " + std::to_string(number));
     }
   }
   if (angles.empty()) return badFile(file, "holds no angle");
+  return angles;
+}
+
+Result<AngleList> readAngleList(const std::filesystem::path& file) {
+  const auto text = readFileBytes(file, kMaxBytes);
+  if (!text) return text.error();
+  return parseAngleList(*text, file.string());
+}
+
+Result<AngleTable> parseAngles(std::string_view text, const std::string& file) {
+  const auto list = parseAngleList(text, file);
+  if (!list) return list.error();
+  AngleTable angles;
+  for (const auto& [picture, angle_rad] : *list) angles.emplace(picture, angle_rad);
   return angles;
 }
 
@@ -128,6 +146,12 @@ Result<AngleTable> readAngles(const std::filesystem::path& file) {
 }
 
 Result<void> writeAngles(const std::filesystem::path& file, const AngleTable& angles) {
+  AngleList list;
+  for (const auto& [picture, angle_rad] : angles) list.push_back({picture, angle_rad});
+  return writeAngleList(file, list);
+}
+
+Result<void> writeAngleList(const std::filesystem::path& file, const AngleList& angles) {
   std::string text = "image,angle_deg\n";
   for (const auto& [name, angle_rad] : angles) {
     text += quotedIfNeeded(name) + "," + jsonNumber(degFromRad(angle_rad)) + "\n";

@@ -91,7 +91,7 @@ class SightVotes {
       : tetrahedra_(tetrahedra), around_(tetrahedra), graph_(graph) {}
 
   // A camera saw the point.
-  void addSight(std::uint32_t point, const Eigen::Vector3d& camera, double weight,
+  void addSight(std::uint32_t point, const Point& seen, const Eigen::Vector3d& camera, double weight,
                 double tolerance_mm) {
     const Eigen::Vector3d& place = tetrahedra_.points[point];
     const Eigen::Vector3d offset = camera - place;
@@ -107,7 +107,8 @@ class SightVotes {
           });
       if (!tetrahedra_.isInfinite(end)) graph_.sink_costs[end] += static_cast<float>(weight);
     }
-    addBehind(point, -towards, weight, tolerance_mm);
+    const double facing = seen.normal.isZero() ? 1.0 : seen.normal.dot(towards);
+    if (facing > 0.0) addBehind(point, -towards, weight * facing, tolerance_mm);
   }
 
   // Nothing stands on the line from the camera.
@@ -221,7 +222,7 @@ Result<CellGraph> freeSpaceGraph(const Tetrahedra& tetrahedra, const SurfacePoin
     const double trust = static_cast<double>(point.views.size()) / kViewsForTrust;
     const double weight = 1.0 - std::exp(-0.5 * trust * trust);
     for (const std::uint32_t view : views) {
-      votes.addSight(i, evidence.camera_centres[view], weight,
+      votes.addSight(i, point, evidence.camera_centres[view], weight,
                      toleranceOf(point, points.spacing_mm[i]));
     }
   }

@@ -2,16 +2,26 @@
 #include "core/mesh/solid_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <limits>
+#include <numeric>
 #include <span>
+#include <utility>
 
 #include <Eigen/Geometry>
+
+#include "core/mesh/edges.h"
 
 namespace gyre {
 namespace {
 
 constexpr int kMaxRounds = 40;
+// After so many rounds places undo each other's changes: from then on what is free is filled, which
+// comes to an end.
+constexpr int kGentleRounds = 8;
 
 double volumeOf(const Tetrahedra& tetrahedra, std::uint32_t cell) {
   if (tetrahedra.isInfinite(cell)) return std::numeric_limits<double>::infinity();
@@ -37,13 +47,13 @@ void spread(const Tetrahedra& tetrahedra, std::uint32_t cell, const Join& join,
   }
 }
 
-// The cells around a point, of one kind, in pieces that hang together by sides at the point.
+// The cells around a point or an edge, in pieces of one kind that hang together by sides there.
 class Umbrella {
  public:
-  Umbrella(const Tetrahedra& tetrahedra, std::span<const std::uint32_t> cells,
-           std::uint32_t point, const SolidCells& solid)
-      : tetrahedra_(tetrahedra), cells_(cells.begin(), cells.end()), point_(point) {
-    std::sort(cells_.begin(), cells_.end());
+  // cells: ascending, all those with the corners `axis`.
+  Umbrella(const Tetrahedra& tetrahedra, std::vector<std::uint32_t> cells,
+           std::span<const std::uint32_t> axis, const SolidCells& solid)
+      : tetrahedra_(tetrahedra), cells_(std::move(cells)), axis_(axis) {
     piece_.assign(cells_.size(), -1);
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (piece_[i] >= 0) continue;
@@ -70,6 +80,16 @@ class Umbrella {
     return flip;
   }
 
+  // The smallest free piece that does not reach infinity; -1 when there is none.
+  int toFill() const {
+    int smallest = -1;
+    for (int piece = 0; piece < static_cast<int>(volume_.size()); ++piece) {
+      if (is_solid_[static_cast<std::size_t>(piece)] || std::isinf(volumeOfPiece(piece))) continue;
+      if (smallest < 0 || volumeOfPiece(piece) < volumeOfPiece(smallest)) smallest = piece;
+    }
+    return smallest;
+  }
+
   template <class Visit>
   void forCellsOf(int piece, const Visit& visit) const {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -89,7 +109,8 @@ class Umbrella {
       open.pop_back();
       volume_.back() += volumeOf(tetrahedra_, cells_[at]);
       for (std::size_t side = 0; side < 4; ++side) {
-        if (tetrahedra_.corners[cells_[at]][side] == point_) continue;  // leads away from it
+        const std::uint32_t opposite = tetrahedra_.corners[cells_[at]][side];
+        if (std::find(axis_.begin(), axis_.end(), opposite) != axis_.end()) continue;  // leads away
         const std::uint32_t next = tetrahedra_.neighbours[cells_[at]][side];
         const auto found = std::lower_bound(cells_.begin(), cells_.end(), next);
         const auto place = static_cast<std::size_t>(found - cells_.begin());
@@ -102,10 +123,69 @@ class Umbrella {
 
   const Tetrahedra& tetrahedra_;
   std::vector<std::uint32_t> cells_;
-  std::uint32_t point_;
+  std::span<const std::uint32_t> axis_;
   std::vector<int> piece_;      // of each cell
   std::vector<char> is_solid_;  // of each piece
   std::vector<double> volume_;  // of each piece
+};
+
+class ManifoldMaker {
+ public:
+  ManifoldMaker(const Tetrahedra& tetrahedra, SolidCells& solid)
+      : tetrahedra_(tetrahedra), around_(tetrahedra), solid_(solid) {
+    touched_.resize(tetrahedra.points.size());
+    std::iota(touched_.begin(), touched_.end(), 0U);
+  }
+
+  std::size_t run() {
+    for (round_ = 0; round_ < kMaxRounds && !touched_.empty(); ++round_) {
+      const std::vector<std::uint32_t> suspects = std::exchange(touched_, {});
+      for (const std::uint32_t point : suspects) mend(cellsAround(point), std::array{point});
+      if (touched_.empty()) mendEdges();
+      std::sort(touched_.begin(), touched_.end());
+      touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    }
+    return touched_.size();
+  }
+
+ private:
+  std::vector<std::uint32_t> cellsAround(std::uint32_t point) const {
+    const auto cells = around_.of(point);
+    return {cells.begin(), cells.end()};
+  }
+
+  void mend(std::vector<std::uint32_t> cells, std::span<const std::uint32_t> axis) {
+    const Umbrella umbrella(tetrahedra_, std::move(cells), axis, solid_);
+    int flip = umbrella.toFlip();
+    if (flip < 0) return;
+    if (round_ >= kGentleRounds && umbrella.toFill() >= 0) flip = umbrella.toFill();
+    umbrella.forCellsOf(flip, [&](std::uint32_t cell) {
+      solid_[cell] = solid_[cell] ? 0 : 1;
+      for (const std::uint32_t corner : tetrahedra_.corners[cell]) {
+        if (corner != Tetrahedra::kInfinity) touched_.push_back(corner);
+      }
+    });
+  }
+
+  // A handle pinched along an edge is a disc at both of its ends.
+  void mendEdges() {
+    forEachEdge(edgeUses(wallOf(tetrahedra_, solid_)), [&](auto begin, auto end) {
+      if (end - begin <= 2) return;
+      const std::array axis = {begin->low, begin->high};
+      const auto low = around_.of(begin->low);
+      const auto high = around_.of(begin->high);
+      std::vector<std::uint32_t> cells;
+      std::set_intersection(low.begin(), low.end(), high.begin(), high.end(),
+                            std::back_inserter(cells));
+      mend(std::move(cells), axis);
+    });
+  }
+
+  const Tetrahedra& tetrahedra_;
+  CellsAround around_;
+  SolidCells& solid_;
+  int round_ = 0;
+  std::vector<std::uint32_t> touched_;  // points whose cells have changed
 };
 
 }  // namespace
@@ -151,27 +231,7 @@ void freeCrumbs(const Tetrahedra& tetrahedra, double min_share, SolidCells& soli
 }
 
 std::size_t makeManifold(const Tetrahedra& tetrahedra, SolidCells& solid) {
-  const CellsAround around(tetrahedra);
-  std::vector<std::uint32_t> suspects(tetrahedra.points.size());
-  for (std::uint32_t point = 0; point < suspects.size(); ++point) suspects[point] = point;
-  for (int round = 0; round < kMaxRounds && !suspects.empty(); ++round) {
-    std::vector<std::uint32_t> touched;
-    for (const std::uint32_t point : suspects) {
-      const Umbrella umbrella(tetrahedra, around.of(point), point, solid);
-      const int flip = umbrella.toFlip();
-      if (flip < 0) continue;
-      umbrella.forCellsOf(flip, [&](std::uint32_t cell) {
-        solid[cell] = solid[cell] ? 0 : 1;
-        for (const std::uint32_t corner : tetrahedra.corners[cell]) {
-          if (corner != Tetrahedra::kInfinity) touched.push_back(corner);
-        }
-      });
-    }
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    suspects = std::move(touched);
-  }
-  return suspects.size();
+  return ManifoldMaker(tetrahedra, solid).run();
 }
 
 std::vector<Triangle> wallOf(const Tetrahedra& tetrahedra, const SolidCells& solid) {

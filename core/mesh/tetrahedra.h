@@ -40,7 +40,7 @@ struct Tetrahedra {
 // not finite, and when the task is stopped. Any thread.
 Result<Tetrahedra> delaunay(std::vector<Eigen::Vector3d> points, const Task& task);
 
-// For each point the cells around it.
+// For each point the cells around it, ascending.
 class CellsAround {
  public:
   explicit CellsAround(const Tetrahedra& tetrahedra);

@@ -16,6 +16,8 @@
 namespace gyre {
 namespace {
 
+constexpr int kMaxRounds = 10;
+
 Result<void> checkSights(const PointCloud& cloud, const SightEvidence& evidence) {
   const std::size_t known = evidence.camera_centres.size();
   const bool any = std::any_of(cloud.points.begin(), cloud.points.end(), [&](const Point& point) {
@@ -32,12 +34,14 @@ SolidCells solidCells(const Tetrahedra& tetrahedra, const CellCut& cut, double m
   SolidCells solid;
   solid.reserve(cut.on_source_side.size());
   for (const char outside : cut.on_source_side) solid.push_back(outside ? 0 : 1);
-  fillCavities(tetrahedra, solid);
-  freeCrumbs(tetrahedra, min_share, solid);
-  makeManifold(tetrahedra, solid);
-  // What was cut apart or closed off on the way.
-  fillCavities(tetrahedra, solid);
-  freeCrumbs(tetrahedra, min_share, solid);
+  // Each step may leave the next something to do; in practice two rounds are enough.
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const SolidCells before = solid;
+    fillCavities(tetrahedra, solid);
+    freeCrumbs(tetrahedra, min_share, solid);
+    makeManifold(tetrahedra, solid);
+    if (solid == before) break;
+  }
   return solid;
 }
 

@@ -91,6 +91,15 @@ SilhouetteRecord SilhouetteRecord::turned(std::span<const double> corrections_ra
   return record;
 }
 
+Silhouettes SilhouetteRecord::silhouettes() const {
+  Silhouettes silhouettes;
+  silhouettes.reserve(views_.size());
+  for (const View& view : views_) {
+    silhouettes.push_back({static_cast<std::uint32_t>(view.added), view.mask});
+  }
+  return silhouettes;
+}
+
 double SilhouetteRecord::outsideShare(const Eigen::Vector3d& point_in_table,
                                       std::size_t most_views) const {
   const std::size_t stride = (views_.size() + most_views - 1) / most_views;

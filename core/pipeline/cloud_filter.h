@@ -11,6 +11,7 @@
 #include "core/scan/calibration.h"
 #include "core/scan/frame.h"
 #include "core/scan/point_cloud.h"
+#include "core/scan/silhouette.h"
 
 namespace gyre {
 
@@ -25,6 +26,9 @@ class SilhouetteRecord {
 
   // The same outlines with the table turned further by so much in each view added. [rad]
   SilhouetteRecord turned(std::span<const double> corrections_rad) const;
+
+  // The outlines kept so far, grown by a few pixels.
+  Silhouettes silhouettes() const;
 
   // Share of the views in whose picture the point lies but misses the object's mask: a point of the
   // object does in none. Asks at most so many views, spread evenly.

@@ -160,6 +160,7 @@ Result<Reconstruction> LiveReconstruction::Impl::finish(const Task& task) const 
                          coversFullTurn() ? tracker_.closure() : std::nullopt};
   auto result = finalCloud(turn, calibration_, silhouettes_, options_, task);
   if (!result) return result.error();
+  result->silhouettes = silhouettes_.silhouettes();
   result->drift = drift_.report();
   if (ring_) addPlatter(result->drift, ring_->drift());
   result->seconds["mask"] = mask_seconds_;

@@ -10,6 +10,7 @@
 
 #include "core/scan/drift.h"
 #include "core/scan/point_cloud.h"
+#include "core/scan/silhouette.h"
 #include "core/scan/track.h"
 #include "core/scan/turning.h"
 #include "core/track/turn_gap.h"
@@ -20,6 +21,7 @@ struct Reconstruction {
   PointCloud cloud;
   // Where each point was seen, as far as it agrees: for its views, one by one.
   std::vector<std::vector<Observation>> sightings;
+  Silhouettes silhouettes;       // of the object, as far as views told
   std::size_t observations = 0;  // in the accepted points
   double rms_px = 0.0;           // reprojection error of the accepted observations
   double median_px = 0.0;

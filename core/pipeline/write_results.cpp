@@ -13,6 +13,7 @@
 #include "core/io/obj.h"
 #include "core/io/ply.h"
 #include "core/io/result_folder.h"
+#include "core/io/silhouettes_file.h"
 #include "core/io/visibility_file.h"
 #include "core/mesh/alpha_shape.h"
 
@@ -43,13 +44,17 @@ Report completed(Report report, const Reconstruction& reconstruction) {
   return report;
 }
 
-// As the table truly turned, where that was seen.
-AngleTable solvedAngles(AngleTable angles, const std::optional<TurningReport>& turning) {
-  if (!turning) return angles;
-  for (const TurnedView& each : turning->views) {
-    const auto told = angles.find(each.name);
-    if (told != angles.end()) told->second = each.angle_rad;
+// As the table truly turned, where that was seen; a line for each view, in the views' order.
+AngleList solvedAngles(const AngleTable& told, const std::optional<TurningReport>& turning) {
+  AngleList angles;
+  if (turning) {
+    for (const TurnedView& each : turning->views) {
+      if (told.contains(each.name)) angles.push_back({each.name, each.angle_rad});
+    }
   }
+  if (angles.size() == told.size()) return angles;
+  angles.clear();
+  for (const auto& [picture, angle_rad] : told) angles.push_back({picture, angle_rad});
   return angles;
 }
 
@@ -58,10 +63,15 @@ Result<void> writePoints(const fs::path& folder, const Reconstruction& reconstru
   const PointCloud& cloud = reconstruction.cloud;
   if (const auto done = writePly(folder / "points.ply", cloud); !done) return done;
   if (const auto done = writeVisibility(folder / "visibility.bin", cloud); !done) return done;
+  if (const auto done =
+          writeSilhouettes(folder / "silhouettes.bin", reconstruction.silhouettes);
+      !done) {
+    return done;
+  }
   const auto done = writeCalibrationRecord(folder / "calibration.json", context.calibration);
   if (!done) return done;
-  return writeAngles(folder / "angles_solved.csv",
-                     solvedAngles(context.angles, reconstruction.turning));
+  return writeAngleList(folder / "angles_solved.csv",
+                        solvedAngles(context.angles, reconstruction.turning));
 }
 
 Result<void> writeMesh(const fs::path& folder, const Mesh& mesh) {

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/pipeline/make_mesh.h"
+
+#include <utility>
+
+#include "core/mesh/alpha_shape.h"
+#include "core/mesh/visibility_cut.h"
+
+namespace gyre {
+namespace {
+
+Error needsSights(MeshMethod method) {
+  return {Error::Code::kInvalidInput,
+          "The method \"" + std::string(wordOf(method)) +
+              "\" follows the lines of sight of the points, and these are not known.",
+          "Give the folder of a reconstruction, with visibility.bin, calibration.json and "
+          "angles_solved.csv beside the points; or use --method alpha."};
+}
+
+Result<MadeMesh> byAlphaShape(const PointCloud& cloud, const AlphaShapeOptions& options,
+                              const Task& task) {
+  auto shape = alphaShapeMesh(cloud, options, task);
+  if (!shape) return shape.error();
+  return MadeMesh{std::move(shape->mesh), MeshMethod::kAlpha, shape->alpha_mm};
+}
+
+}  // namespace
+
+Result<MadeMesh> makeMesh(const PointCloud& cloud, const std::optional<SightEvidence>& sights,
+                          const MeshRequest& request, const Task& task) {
+  switch (request.method) {
+    case MeshMethod::kAlpha:
+      return byAlphaShape(cloud, request.alpha, task);
+    case MeshMethod::kClosed: {
+      if (!sights) return needsSights(request.method);
+      auto cut = visibilityCut(cloud, *sights, request.cut, task);
+      if (!cut) return cut.error();
+      return MadeMesh{std::move(cut->mesh), MeshMethod::kClosed, 0.0};
+    }
+    case MeshMethod::kAuto: {
+      MeshRequest chosen = request;
+      chosen.method = sights ? MeshMethod::kClosed : MeshMethod::kAlpha;
+      return makeMesh(cloud, sights, chosen, task);
+    }
+  }
+  return needsSights(request.method);
+}
+
+}  // namespace gyre
