@@ -94,7 +94,7 @@ int run(const Words& words, Console& console, const Task& task) {
   request.alpha.min_component_share = words.cut.min_component_share;
   const auto cloud = readPoints(words.input);
   if (!cloud) return console.fail(cloud.error());
-  const auto sights = readSights(pointsFile(words.input).parent_path());
+  const auto sights = readSights(pointsFile(words.input).parent_path(), *cloud);
   if (!sights) return console.fail(sights.error());
   const auto made = makeMesh(*cloud, *sights, request, task);
   if (!made) return console.fail(made.error());

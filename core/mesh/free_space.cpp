@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/hull_entry.h"
 #include "core/mesh/ray_walk.h"
 
 namespace gyre {
@@ -17,6 +18,7 @@ namespace {
 constexpr double kViewsForTrust = 3.0;   // so many views make a point's sight count for 0.39
 constexpr double kToleranceShare = 0.5;  // of the local spacing
 constexpr double kToleranceSigmas = 3.0;
+constexpr double kOutlineWeight = 4.0;  // of the background of one picture
 constexpr float kCertain = 1e9F;
 constexpr std::size_t kRaysBetweenLooks = 1024;
 
@@ -111,19 +113,22 @@ class SightVotes {
     if (facing > 0.0) addBehind(point, -towards, weight * facing, tolerance_mm);
   }
 
-  // Nothing stands on the line from the camera.
-  void addBackground(const Ray& ray, double weight) {
-    const auto start = cellOn(ray);
-    if (!start) return;
-    const auto [cell, middle] = *start;
-    const double unlimited = std::numeric_limits<double>::infinity();
-    walkCells(tetrahedra_, cell, Ray{middle, -ray.direction}, unlimited,
-              [&](std::uint32_t at, const CellExit& exit) { addBefore(at, exit.side, weight); });
-    walkCells(tetrahedra_, cell, Ray{middle, ray.direction}, unlimited,
-              [&](std::uint32_t at, const CellExit& exit) {
-                graph_.arc_costs[at][static_cast<std::size_t>(exit.side)] +=
-                    static_cast<float>(weight);
-              });
+  // Nothing stands on the rays from the camera that took this picture.
+  void addBackground(const std::vector<Ray>& rays, std::uint32_t picture) {
+    if (rays.empty()) return;
+    if (spoken_.empty()) spoken_.assign(tetrahedra_.cells(), {});
+    const HullEntry hull(tetrahedra_, rays.front().origin);
+    for (const Ray& ray : rays) {
+      const auto entry = hull.of(ray.direction);
+      if (!entry) continue;
+      const auto side = static_cast<std::size_t>(entry->side);
+      addOnce(entry->cell, side, picture);
+      walkCells(tetrahedra_, tetrahedra_.neighbours[entry->cell][side], ray,
+                std::numeric_limits<double>::infinity(),
+                [&](std::uint32_t cell, const CellExit& exit) {
+                  addOnce(cell, static_cast<std::size_t>(exit.side), picture);
+                });
+    }
   }
 
  private:
@@ -132,6 +137,13 @@ class SightVotes {
     const auto at = static_cast<std::size_t>(side);
     graph_.arc_costs[tetrahedra_.neighbours[cell][at]][tetrahedra_.mirrors[cell][at]] +=
         static_cast<float>(cost);
+  }
+
+  // Costs when the cell is outside though what lies beyond the side is solid.
+  void addOnce(std::uint32_t cell, std::size_t side, std::uint32_t picture) {
+    if (spoken_[cell][side] == picture + 1) return;
+    spoken_[cell][side] = picture + 1;
+    graph_.arc_costs[cell][side] += static_cast<float>(kOutlineWeight);
   }
 
   void addBehind(std::uint32_t point, const Eigen::Vector3d& away, double weight,
@@ -146,46 +158,10 @@ class SightVotes {
     graph_.source_costs[last] += static_cast<float>(weight);
   }
 
-  struct Start {
-    std::uint32_t cell;
-    Eigen::Vector3d place;
-  };
-
-  // A cell that the ray passes, near the middle of the points; nothing when it misses them there.
-  std::optional<Start> cellOn(const Ray& ray) {
-    if (!inside_) findMiddle();
-    const Eigen::Vector3d place =
-        ray.origin + std::max(0.0, (middle_ - ray.origin).dot(ray.direction)) * ray.direction;
-    const Eigen::Vector3d offset = place - middle_;
-    const double length_mm = offset.norm();
-    if (!(length_mm > 0.0)) return Start{*inside_, place};
-    const auto cell = walkCells(tetrahedra_, *inside_, Ray{middle_, offset / length_mm}, length_mm,
-                                [](std::uint32_t, const CellExit&) {});
-    if (tetrahedra_.isInfinite(cell)) return std::nullopt;
-    return Start{cell, place};
-  }
-
-  // The largest cell's centre: well inside the hull.
-  void findMiddle() {
-    double largest = -1.0;
-    for (std::uint32_t cell = 0; cell < tetrahedra_.cells(); ++cell) {
-      if (tetrahedra_.isInfinite(cell)) continue;
-      const auto& [a, b, c, d] = tetrahedra_.corners[cell];
-      const auto& points = tetrahedra_.points;
-      const double volume =
-          (points[b] - points[a]).cross(points[c] - points[a]).dot(points[d] - points[a]);
-      if (volume <= largest) continue;
-      largest = volume;
-      inside_ = cell;
-      middle_ = (points[a] + points[b] + points[c] + points[d]) / 4.0;
-    }
-  }
-
   const Tetrahedra& tetrahedra_;
   CellsAround around_;
   CellGraph& graph_;
-  std::optional<std::uint32_t> inside_;
-  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
+  std::vector<Tetrahedra::Cell> spoken_;  // of each side: 1 + the last picture that spoke of it
 };
 
 double toleranceOf(const Point& point, double spacing_mm) {
@@ -226,9 +202,9 @@ Result<CellGraph> freeSpaceGraph(const Tetrahedra& tetrahedra, const SurfacePoin
                      toleranceOf(point, points.spacing_mm[i]));
     }
   }
-  for (std::size_t i = 0; i < evidence.background.size(); ++i) {
-    if (i % kRaysBetweenLooks == 0 && task.stopRequested()) return cancelled();
-    votes.addBackground(evidence.background[i], 1.0);
+  for (std::uint32_t picture = 0; picture < evidence.background.size(); ++picture) {
+    if (task.stopRequested()) return cancelled();
+    votes.addBackground(evidence.background[picture], picture);
   }
   return graph;
 }

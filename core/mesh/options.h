@@ -47,7 +47,7 @@ struct VisibilityCutOptions {
   // How much smooth walls of even triangles are preferred: what a wall of bad triangles costs,
   // against one line of sight cut through. 0..100; larger closes gaps with fewer folds, and cuts
   // off thin parts that few cameras saw.
-  double quality = 3.0;
+  double quality = 2.0;
   // Pieces with less than this share of the largest one's volume are left out. 0..1
   double min_component_share = 0.02;
 

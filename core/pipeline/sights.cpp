@@ -2,6 +2,7 @@
 #include "core/pipeline/sights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -18,41 +19,64 @@ namespace {
 // So many views, spread over the turn, tell where the background is seen: a wrong outline in one
 // does no harm, and more of them tell little that is new.
 constexpr std::size_t kOutlinesAsked = 72;
-constexpr int kStride_px = 2;  // in the outline
+constexpr int kWidening_px = 1;  // in the outline, around each point
 constexpr int kMargin_px = 3;  // around the outline's box: rays farther out meet nothing anyhow
 
-void addBackground(const Silhouette& silhouette, const CameraModel& camera,
-                   const Rigid3& cam_from_table, std::vector<Ray>& rays) {
-  const cv::Mat& mask = silhouette.mask;
+// Full of the object where points of the cloud are seen, beside the outline too.
+cv::Mat widened(const Silhouette& silhouette, const CameraModel& camera,
+                const Rigid3& cam_from_table, const PointCloud& cloud) {
+  cv::Mat mask = silhouette.mask.clone();
   const double shrunk = static_cast<double>(camera.width_px) / mask.cols;
-  int left = mask.cols;
-  int right = -1;
-  int top = mask.rows;
-  int bottom = -1;
-  for (int y = 0; y < mask.rows; ++y) {
-    for (int x = 0; x < mask.cols; ++x) {
-      if (mask.at<std::uint8_t>(y, x) == 0) continue;
-      left = std::min(left, x);
-      right = std::max(right, x);
-      top = std::min(top, y);
-      bottom = y;
+  for (const Point& point : cloud.points) {
+    const auto pixel = camera.project(cam_from_table * point.position);
+    if (!pixel) continue;
+    const int x = static_cast<int>(std::floor((pixel->x() + 0.5) / shrunk));
+    const int y = static_cast<int>(std::floor((pixel->y() + 0.5) / shrunk));
+    for (int row = std::max(0, y - kWidening_px);
+         row <= std::min(mask.rows - 1, y + kWidening_px); ++row) {
+      for (int column = std::max(0, x - kWidening_px);
+           column <= std::min(mask.cols - 1, x + kWidening_px); ++column) {
+        mask.at<std::uint8_t>(row, column) = 255;
+      }
     }
   }
-  for (int y = std::max(0, top - kMargin_px); y < std::min(mask.rows, bottom + kMargin_px);
-       y += kStride_px) {
-    for (int x = std::max(0, left - kMargin_px); x < std::min(mask.cols, right + kMargin_px);
-         x += kStride_px) {
+  return mask;
+}
+
+// The pixels of the object, as a box.
+cv::Rect boxOf(const cv::Mat& mask) {
+  cv::Rect box;
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      if (mask.at<std::uint8_t>(y, x) != 0) box |= cv::Rect(x, y, 1, 1);
+    }
+  }
+  return box;
+}
+
+std::vector<Ray> backgroundOf(const cv::Mat& mask, const CameraModel& camera,
+                              const Rigid3& cam_from_table) {
+  std::vector<Ray> rays;
+  const double shrunk = static_cast<double>(camera.width_px) / mask.cols;
+  const cv::Rect object = boxOf(mask);
+  if (object.empty()) return rays;
+  const cv::Rect box = cv::Rect(object.x - kMargin_px, object.y - kMargin_px,
+                                object.width + 2 * kMargin_px, object.height + 2 * kMargin_px) &
+                       cv::Rect(0, 0, mask.cols, mask.rows);
+  for (int y = box.y; y < box.y + box.height; ++y) {
+    for (int x = box.x; x < box.x + box.width; ++x) {
       if (mask.at<std::uint8_t>(y, x) != 0) continue;
       const Eigen::Vector2d pixel((x + 0.5) * shrunk - 0.5, (y + 0.5) * shrunk - 0.5);
       rays.push_back(rayThrough(cam_from_table, camera.normalizedFromPixel(pixel)));
     }
   }
+  return rays;
 }
 
 }  // namespace
 
 SightEvidence sightsOf(const Calibration& calibration, std::span<const double> table_angles_rad,
-                       const Silhouettes& silhouettes) {
+                       const Silhouettes& silhouettes, const PointCloud& cloud) {
   SightEvidence sights;
   std::vector<Rigid3> poses;
   for (const double angle_rad : table_angles_rad) {
@@ -63,12 +87,15 @@ SightEvidence sightsOf(const Calibration& calibration, std::span<const double> t
   for (std::size_t i = 0; i < asked; ++i) {
     const Silhouette& silhouette = silhouettes[i * silhouettes.size() / asked];
     if (silhouette.view >= poses.size()) continue;
-    addBackground(silhouette, calibration.camera, poses[silhouette.view], sights.background);
+    const Rigid3& pose = poses[silhouette.view];
+    const cv::Mat mask = widened(silhouette, calibration.camera, pose, cloud);
+    sights.background.push_back(backgroundOf(mask, calibration.camera, pose));
   }
   return sights;
 }
 
-Result<std::optional<SightEvidence>> readSights(const std::filesystem::path& folder) {
+Result<std::optional<SightEvidence>> readSights(const std::filesystem::path& folder,
+                                                const PointCloud& cloud) {
   const auto calibration_file = folder / "calibration.json";
   const auto angles_file = folder / "angles_solved.csv";
   std::error_code ignored;
@@ -94,7 +121,7 @@ Result<std::optional<SightEvidence>> readSights(const std::filesystem::path& fol
     if (!read) return read.error();
     silhouettes = std::move(*read);
   }
-  return std::optional(sightsOf(*calibration, angles_rad, silhouettes));
+  return std::optional(sightsOf(*calibration, angles_rad, silhouettes, cloud));
 }
 
 }  // namespace gyre
