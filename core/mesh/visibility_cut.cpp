@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "core/base/median.h"
+#include "core/mesh/base_on_table.h"
 #include "core/mesh/components.h"
 #include "core/mesh/free_space.h"
 #include "core/mesh/max_flow.h"
 #include "core/mesh/solid_cells.h"
 #include "core/mesh/surface_points.h"
 #include "core/mesh/tetrahedra.h"
+#include "core/mesh/unseen_facets.h"
 
 namespace gyre {
 namespace {
@@ -71,6 +73,9 @@ Result<VisibilityCutMesh> visibilityCut(const PointCloud& cloud, const SightEvid
   }
   result.mesh.vertices.reserve(points->cloud.points.size());
   for (const Point& point : points->cloud.points) result.mesh.vertices.push_back(vertexOf(point));
+  std::vector<double> spacing_mm = points->spacing_mm;
+  restOnTable(result.mesh, spacing_mm);
+  markWideFacets(result.mesh, spacing_mm);
   removeUnusedVertices(result.mesh);
   computeNormals(result.mesh);
   if (task.stopRequested()) return cancelled();
