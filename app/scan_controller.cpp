@@ -231,6 +231,7 @@ void ScanController::deliver() {
     facts_.left_s = facts_.elapsed_s / captured * (facts_.views - facts_.views_done);
   if (update) {
     cloud_ = update->cloud;
+    alpha_shape_.reset();
     facts_.points = cloud_->points.size();
     facts_.median_sigma_mm = update->median_sigma_mm;
     Q_EMIT tracked(update->frame);
@@ -255,6 +256,7 @@ void ScanController::finished(const Result<void>& outcome, const std::shared_ptr
     return;
   }
   cloud_ = result->cloud;
+  alpha_shape_.reset();
   facts_.views_done = facts_.views;
   facts_.left_s.reset();
   facts_.points = cloud_->points.size();

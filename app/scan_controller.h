@@ -13,9 +13,11 @@
 #include "app/job_runner.h"
 #include "app/latest.h"
 #include "app/scan_session.h"
+#include "app/surface_job.h"
 #include "core/scan/calibration_record.h"
 #include "core/scan/mesh.h"
 #include "core/scan/mesh_health.h"
+#include "core/scan/mesh_method.h"
 #include "core/scan/point_cloud.h"
 #include "core/scan/tracked_frame.h"
 #include "ui/facts.h"
@@ -55,7 +57,7 @@ class ScanController final : public QObject {
   void pause();
   void resume();
   void stop();
-  void makeMesh(double gap_size_mm);  // 0: chosen by the program
+  void makeMesh(gyre::MeshMethod method, double gap_size_mm);  // 0: chosen by the program
   void exportPoints(const std::filesystem::path& file);
   void exportMesh(const std::filesystem::path& file);  // .ply or .obj
   void openModel(const std::filesystem::path& scan_or_file);
@@ -105,6 +107,8 @@ class ScanController final : public QObject {
   std::optional<EmptyTable> empty_table_;
   PointCloudPtr cloud_;
   MeshPtr mesh_;
+  std::shared_ptr<const AlphaShape> alpha_shape_;  // of cloud_, once it was asked for
+  std::optional<SurfaceWish> next_surface_;  // the last, kept while another is being made
   std::filesystem::path folder_;
   std::weak_ptr<Rig> stopped_rig_;  // on it the user stopped the last scan: it knows its angle
   ScanFacts facts_;

@@ -6,8 +6,6 @@
 #include "app/scan_outcome.h"
 #include "core/io/obj.h"
 #include "core/io/ply.h"
-#include "core/mesh/alpha_shape.h"
-#include "core/mesh/mesh_health.h"
 
 namespace gyre {
 
@@ -31,24 +29,35 @@ void ScanController::compute(JobRunner::Job job, JobRunner::Done done) {
                       });
 }
 
-void ScanController::makeMesh(double gap_size_mm) {
-  if (isCapturing(phase_) || compute_jobs_.busy()) return;
+void ScanController::makeMesh(MeshMethod method, double gap_size_mm) {
+  if (isCapturing(phase_)) return;
+  const SurfaceWish wish{method, gap_size_mm};
+  if (compute_jobs_.busy()) {
+    if (phase_ == ScanPhase::kMeshing) next_surface_ = wish;
+    return;
+  }
   if (!cloud_ || cloud_->points.empty()) {
     refuse(tr("There are no points yet."), tr("Scan an object, or open a scan."));
     return;
   }
-  auto result = std::make_shared<Outcome>();
+  auto made = std::make_shared<MadeSurface>();
   compute(
-      [cloud = cloud_, gap_size_mm, result](const Task& task) -> Result<void> {
-        AlphaShapeOptions options;
-        options.alpha_mm = gap_size_mm;
-        auto made = alphaShapeMesh(*cloud, options, task);
-        if (!made) return made.error();
-        result->health = meshHealth(made->mesh);
-        result->mesh = std::make_shared<const Mesh>(std::move(made->mesh));
+      [cloud = cloud_, folder = folder_, wish, shape = alpha_shape_,
+       made](const Task& task) -> Result<void> {
+        auto surface = makeSurface(*cloud, folder, wish, shape, task);
+        if (!surface) return surface.error();
+        *made = std::move(*surface);
         return {};
       },
-      [this, result](const Result<void>&) { showMesh(result); });
+      [this, cloud = cloud_, made](const Result<void>&) {
+        if (cloud_ != cloud) return;
+        alpha_shape_ = made->alpha_shape;
+        mesh_ = made->mesh;
+        Q_EMIT meshMade(mesh_, made->health);
+        if (const auto next = std::exchange(next_surface_, std::nullopt)) {
+          makeMesh(next->method, next->gap_size_mm);
+        }
+      });
 }
 
 void ScanController::exportBy(std::function<Result<void>()> write,
@@ -91,6 +100,7 @@ void ScanController::openModel(const std::filesystem::path& scan_or_file) {
       [this, opened](const Result<void>&) {
         folder_ = opened->scan_folder;
         cloud_ = opened->cloud;
+        alpha_shape_.reset();
         mesh_ = opened->mesh;
         if (opened->calibration) {
           know(*opened->calibration, {}, tr("From the opened scan."));

@@ -2,14 +2,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mesh_panel.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLocale>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QTimer>
 
 #include "ui/parts.h"
 
 namespace gyre {
+namespace {
+
+// The slider's steps grow with the gap: from 0.1 mm to 50 mm, step 0 is automatic.
+constexpr int kSliderSteps = 200;
+constexpr double kLeastGap_mm = 0.1;
+constexpr double kMostGap_mm = 50.0;
+constexpr int kPause_ms = 40;
+
+double gapOf(int step) {
+  if (step == 0) return 0.0;
+  return kLeastGap_mm *
+         std::pow(kMostGap_mm / kLeastGap_mm, static_cast<double>(step) / kSliderSteps);
+}
+
+int stepOf(double gap_mm) {
+  if (gap_mm < kLeastGap_mm) return 0;
+  const double share = std::log(gap_mm / kLeastGap_mm) / std::log(kMostGap_mm / kLeastGap_mm);
+  return std::clamp(static_cast<int>(std::lround(kSliderSteps * share)), 1, kSliderSteps);
+}
+
+}  // namespace
 
 MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
@@ -28,8 +55,20 @@ MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
   gap_mm_->setToolTip(
       tr("Gaps wider than this stay open; a smaller one follows finer relief. "
          "In mm."));
+  method_ = new QComboBox;
+  method_->addItem(tr("Closed body"), static_cast<int>(MeshMethod::kAuto));
+  method_->addItem(tr("Open where nobody looked"), static_cast<int>(MeshMethod::kAlpha));
+  method_->setAccessibleName(tr("Kind of surface"));
+  form->addRow(tr("Kind"), method_);
   form->addRow(tr("Gap size"), gap_mm_);
+  gap_slider_ = new QSlider(Qt::Horizontal);
+  gap_slider_->setRange(0, kSliderSteps);
+  gap_slider_->setAccessibleName(tr("Gap size"));
+  gap_slider_->setToolTip(gap_mm_->toolTip());
+  form->addRow(QString(), gap_slider_);
   card->addLayout(form);
+  method_words_ = makeLabel(QString(), "muted");
+  card->addWidget(method_words_);
   make_ = makePrimaryButton(tr("Build the surface"), tr("Wrap the points in triangles"));
   card->addWidget(make_);
   health_ = makeLabel(QString(), "muted");
@@ -43,7 +82,19 @@ MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
   show_->setToolTip(tr("± mm: how sure each point is, one standard deviation"));
   view->addWidget(show_);
   layout->addStretch(1);
-  connect(make_, &QPushButton::clicked, this, [this] { Q_EMIT meshRequested(gap_mm_->value()); });
+  pause_ = new QTimer(this);
+  pause_->setSingleShot(true);
+  pause_->setInterval(kPause_ms);
+  connect(pause_, &QTimer::timeout, this, &MeshPanel::request);
+  connect(make_, &QPushButton::clicked, this, &MeshPanel::request);
+  connect(method_, &QComboBox::currentIndexChanged, this, &MeshPanel::showMethod);
+  connect(gap_slider_, &QSlider::valueChanged, this,
+          [this](int step) { gap_mm_->setValue(gapOf(step)); });
+  connect(gap_mm_, &QDoubleSpinBox::valueChanged, this, [this](double gap_mm) {
+    const QSignalBlocker quiet(gap_slider_);
+    gap_slider_->setValue(stepOf(gap_mm));
+    if (follows_gap_) pause_->start();
+  });
   connect(show_, &QComboBox::currentIndexChanged, this, [this](int index) {
     if (index == 2) {
       Q_EMIT surfaceShown();
@@ -52,7 +103,27 @@ MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
     Q_EMIT pointsShown();
     Q_EMIT coloursChosen(index == 1 ? CloudColours::kUncertainty : CloudColours::kNatural);
   });
+  showMethod();
   showNoMesh();
+}
+
+MeshMethod MeshPanel::method() const {
+  return static_cast<MeshMethod>(method_->currentData().toInt());
+}
+
+void MeshPanel::showMethod() {
+  const bool open = method() == MeshMethod::kAlpha;
+  gap_mm_->setEnabled(open);
+  gap_slider_->setEnabled(open);
+  follows_gap_ = false;
+  method_words_->setText(
+      open ? tr("Wraps the points; gaps wider than the gap size stay open.")
+           : tr("Follows every line of sight: solid where no camera saw through, ready to print."));
+}
+
+void MeshPanel::request() {
+  follows_gap_ = method() == MeshMethod::kAlpha;
+  Q_EMIT meshRequested(method(), follows_gap_ ? gap_mm_->value() : 0.0);
 }
 
 void MeshPanel::showPhase(ScanPhase phase) { make_->setEnabled(phase == ScanPhase::kDone); }

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "core/scan/mesh_health.h"
+#include "core/scan/mesh_method.h"
 #include "ui/cloud_actors.h"
 #include "ui/facts.h"
 
@@ -12,6 +13,8 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
+class QSlider;
+class QTimer;
 
 namespace gyre {
 
@@ -27,13 +30,22 @@ class MeshPanel final : public QWidget {
   void showNoMesh();
 
  Q_SIGNALS:
-  void meshRequested(double gap_size_mm);  // 0: the program's choice
+  void meshRequested(gyre::MeshMethod method, double gap_size_mm);  // 0: the program's choice
   void coloursChosen(gyre::CloudColours colours);
   void surfaceShown();
   void pointsShown();
 
  private:
+  MeshMethod method() const;
+  void showMethod();
+  void request();
+
+  QComboBox* method_;
+  QLabel* method_words_;
   QDoubleSpinBox* gap_mm_;
+  QSlider* gap_slider_;
+  QTimer* pause_;              // between the last move of the slider and the surface
+  bool follows_gap_ = false;   // an alpha shape is shown
   QPushButton* make_;
   QComboBox* show_;
   QLabel* health_;

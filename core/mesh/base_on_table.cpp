@@ -17,7 +17,7 @@ namespace gyre {
 namespace {
 
 // Of the object's size: nothing is seen of a base so near to the table.
-constexpr double kBlindShare = 0.04;
+constexpr double kBlindShare = 0.025;
 constexpr double kLowestQuantile = 0.002;
 constexpr double kLooksDown = -0.5;  // z of a facet's normal
 

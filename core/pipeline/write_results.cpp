@@ -15,7 +15,8 @@
 #include "core/io/result_folder.h"
 #include "core/io/silhouettes_file.h"
 #include "core/io/visibility_file.h"
-#include "core/mesh/alpha_shape.h"
+#include "core/pipeline/make_mesh.h"
+#include "core/pipeline/sights.h"
 
 namespace gyre {
 namespace {
@@ -74,6 +75,17 @@ Result<void> writePoints(const fs::path& folder, const Reconstruction& reconstru
                         solvedAngles(context.angles, reconstruction.turning));
 }
 
+std::optional<SightEvidence> sightsOf(const Reconstruction& reconstruction,
+                                      const ResultContext& context) {
+  const Calibration& calibration = context.calibration.calibration;
+  if (!calibration.cam_from_table) return std::nullopt;
+  std::vector<double> angles_rad;
+  for (const auto& [picture, angle_rad] : solvedAngles(context.angles, reconstruction.turning)) {
+    angles_rad.push_back(angle_rad);
+  }
+  return sightsOf(calibration, angles_rad, reconstruction.silhouettes, reconstruction.cloud);
+}
+
 Result<void> writeMesh(const fs::path& folder, const Mesh& mesh) {
   if (const auto done = writePly(folder / "mesh.ply", mesh); !done) return done;
   return writeObj(folder / "mesh.obj", mesh);
@@ -91,11 +103,15 @@ Result<WrittenResults> writeResults(const fs::path& folder, const Reconstruction
   Report report = completed(context.report, reconstruction);
   const double start_s = steadySeconds();
   task.report(0.0, "Making the mesh");
-  auto surface = alphaShapeMesh(reconstruction.cloud, {}, task.part(0.0, 0.9));
+  auto surface = makeMesh(reconstruction.cloud, sightsOf(reconstruction, context), {},
+                          task.part(0.0, 0.9));
   report.seconds["mesh"] = steadySeconds() - start_s;
   if (surface) {
     written.mesh = std::move(surface->mesh);
-    report.options["alpha_mm"] = formatted("%.4g", surface->alpha_mm);
+    report.options["surface"] = wordOf(surface->method);
+    if (surface->alpha_mm > 0.0) {
+      report.options["alpha_mm"] = formatted("%.4g", surface->alpha_mm);
+    }
     if (const auto done = writeMesh(folder, written.mesh); !done) return done.error();
   } else if (surface.error().code == Error::Code::kCancelled) {
     return surface.error();

@@ -9,6 +9,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTest>
 
 #include "tests/support/qt_application.h"
@@ -60,10 +61,39 @@ TEST(MeshPanel, AsksForTheGapSizeThatWasSet) {
   QSignalSpy wanted(&panel, &MeshPanel::meshRequested);
   auto* gap = panel.findChild<QDoubleSpinBox*>();
   ASSERT_NE(gap, nullptr);
+  panel.findChild<QComboBox*>()->setCurrentIndex(1);
   gap->setValue(2.5);
   for (QPushButton* button : panel.findChildren<QPushButton*>()) button->click();
   ASSERT_EQ(wanted.count(), 1);
-  EXPECT_DOUBLE_EQ(wanted.front().front().toDouble(), 2.5);
+  EXPECT_EQ(wanted.front().at(0).value<MeshMethod>(), MeshMethod::kAlpha);
+  EXPECT_DOUBLE_EQ(wanted.front().at(1).toDouble(), 2.5);
+}
+
+TEST(MeshPanel, MakesAClosedBodyUnlessAskedOtherwise) {
+  MeshPanel panel;
+  panel.showPhase(ScanPhase::kDone);
+  QSignalSpy wanted(&panel, &MeshPanel::meshRequested);
+  EXPECT_FALSE(panel.findChild<QDoubleSpinBox*>()->isEnabled());
+  for (QPushButton* button : panel.findChildren<QPushButton*>()) button->click();
+  ASSERT_EQ(wanted.count(), 1);
+  EXPECT_EQ(wanted.front().at(0).value<MeshMethod>(), MeshMethod::kAuto);
+}
+
+TEST(MeshPanel, FollowsTheSliderOnceASurfaceWithGapsIsShown) {
+  MeshPanel panel;
+  panel.showPhase(ScanPhase::kDone);
+  QSignalSpy wanted(&panel, &MeshPanel::meshRequested);
+  panel.findChild<QComboBox*>()->setCurrentIndex(1);
+  auto* slider = panel.findChild<QSlider*>();
+  slider->setValue(80);
+  EXPECT_FALSE(wanted.wait(150));
+  for (QPushButton* button : panel.findChildren<QPushButton*>()) button->click();
+  slider->setValue(120);
+  slider->setValue(130);
+  ASSERT_TRUE(wanted.wait(1000));
+  ASSERT_EQ(wanted.count(), 2);  // the button's, and one for both moves
+  EXPECT_NEAR(wanted.back().at(1).toDouble(), panel.findChild<QDoubleSpinBox*>()->value(), 1e-9);
+  EXPECT_GT(wanted.back().at(1).toDouble(), wanted.front().at(1).toDouble());
 }
 
 TEST(MeshPanel, DoesNotMakeASurfaceInTheMiddleOfAScan) {
