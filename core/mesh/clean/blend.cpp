@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/clean/blend.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -30,10 +31,12 @@ MeshVertex blend(std::span<const WeightedVertex> parts) {
   }
   mean.normal = mean.normal.stableNormalized();
   for (std::size_t i = 0; i < 3; ++i) {
-    mean.rgb[i] = static_cast<std::uint8_t>(std::lround(rgb[static_cast<Eigen::Index>(i)]));
+    mean.rgb[i] = static_cast<std::uint8_t>(
+        std::lround(std::clamp(rgb[static_cast<Eigen::Index>(i)], 0.0, 255.0)));
   }
-  mean.sigma_mm = static_cast<float>(sigma_mm);
-  mean.views = static_cast<std::uint16_t>(std::lround(views));
+  // Weights of a place on an edge may be negative by rounding.
+  mean.sigma_mm = static_cast<float>(std::max(0.0, sigma_mm));
+  mean.views = static_cast<std::uint16_t>(std::lround(std::max(0.0, views)));
   mean.seen = seen >= 0.5 ? 1 : 0;
   return mean;
 }
