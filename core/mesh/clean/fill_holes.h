@@ -19,10 +19,10 @@ struct FilledMesh {
 };
 
 // Each hole within the limits gets triangles as small as those around it, bent to meet the surface
-// without a crease. The new vertices are unseen, and so is every new triangle; their colour comes
-// from the rim. What was there stays, in its order. The outer rim of an open sheet is a hole too.
-// Fails in words on a mesh that checkSurface refuses, and when stopped. Liepa, "Filling holes in
-// meshes" (2003), by CGAL.
+// without a crease; where a filling comes to cross something it is bent less, or not at all. The
+// new vertices are unseen, and so is every new triangle; their colour comes from the rim. What was
+// there stays, in its order. The outer rim of an open sheet is a hole too. Fails in words on a mesh
+// that checkSurface refuses, and when stopped. Liepa, "Filling holes in meshes" (2003), by CGAL.
 Result<FilledMesh> fillHoles(const Mesh& mesh, const FillHolesOptions& options, const Task& task);
 
 }  // namespace gyre
