@@ -23,7 +23,7 @@ namespace gyre {
 namespace {
 
 constexpr int kMaxSmoothings = 60;   // of lines that cross, before giving up
-constexpr double kLidSpacing = 1.5;  // of the lid's points, in mean edges of the rims
+constexpr double kLidSpacing = 3.0;  // of the lid's points, in mean edges of the rims
 constexpr auto kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
 std::vector<Rim> rimsNearBase(const Mesh& mesh, const BaseCapOptions& options) {
