@@ -2,39 +2,16 @@
 #include "core/mesh/components.h"
 
 #include <limits>
-#include <numeric>
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/disjoint_sets.h"
 #include "core/mesh/edges.h"
 
 namespace gyre {
 namespace {
 
 constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
-
-// Disjoint sets whose representative is their smallest member.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t find(std::uint32_t member) {
-    while (parent_[member] != member) {
-      parent_[member] = parent_[parent_[member]];
-      member = parent_[member];
-    }
-    return member;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 double areaOf(const Mesh& mesh, const Triangle& triangle) {
   const Eigen::Vector3d& a = mesh.vertices[triangle[0]].position;
@@ -46,7 +23,7 @@ double areaOf(const Mesh& mesh, const Triangle& triangle) {
 }  // namespace
 
 MeshComponents findComponents(const Mesh& mesh) {
-  Sets sets(mesh.triangles.size());
+  DisjointSets sets(mesh.triangles.size());
   forEachEdge(edgeUses(mesh.triangles), [&](auto begin, auto end) {
     for (auto use = begin; use != end; ++use) sets.join(begin->triangle, use->triangle);
   });

@@ -7,9 +7,9 @@
 
 namespace gyre {
 
-// Counts, area and signed volume (sum of the tetrahedra from the origin to each triangle; positive
-// when triangles are counter-clockwise from outside). Components are joined by shared edges;
-// vertices without a triangle do not count. Triangle indices are in range.
+// Counts, genus, area and signed volume (sum of the tetrahedra from the origin to each triangle;
+// positive when triangles are counter-clockwise from outside). Components are joined by shared
+// edges; vertices without a triangle do not count. Triangle indices are in range.
 MeshHealth meshHealth(const Mesh& mesh);
 
 }  // namespace gyre

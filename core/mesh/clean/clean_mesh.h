@@ -1,0 +1,26 @@
+// Cleans up a mesh: all steps that were chosen, in the order in which each helps the next.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/task.h"
+#include "core/mesh/clean/options.h"
+#include "core/scan/clean_report.h"
+#include "core/scan/mesh.h"
+
+namespace gyre {
+
+struct CleanedMesh {
+  Mesh mesh;
+  CleanReport report;
+};
+
+// Merges vertices, removes small pieces, separates surfaces that touch, orients, crops, fills
+// holes, caps the base, smooths, reduces and evens triangles, as far as the options ask for each.
+// The base that is capped stays flat in the steps after it, and its rim is no hole to be filled;
+// small pieces that a crop leaves go too. Vertices keep colour, sigma, views and whether they were
+// seen; normals are the mesh's. The input is unchanged, and the same for the same options.
+// Fails in words as the steps do, and when a step leaves nothing of the mesh.
+Result<CleanedMesh> cleanMesh(const Mesh& mesh, const CleanOptions& options, const Task& task);
+
+}  // namespace gyre
