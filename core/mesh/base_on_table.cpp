@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/check.h"
+#include "core/base/median.h"
 #include "core/mesh/unseen_facets.h"
 
 namespace gyre {
@@ -19,6 +20,7 @@ namespace {
 // Of the object's size: nothing is seen of a base so near to the table.
 constexpr double kBlindShare = 0.025;
 constexpr double kLowestQuantile = 0.002;
+constexpr double kBelowSpacings = 0.25;  // what reaches farther below is no noise: no table there
 constexpr double kLooksDown = -0.5;  // z of a facet's normal
 
 double lowestOf(const Mesh& mesh) {
@@ -144,7 +146,9 @@ class Base {
 void restOnTable(Mesh& mesh, std::vector<double>& spacing_mm) {
   GYRE_CHECK(spacing_mm.size() == mesh.vertices.size());
   const double blind_mm = kBlindShare * boundsOf(mesh).diagonal();
-  if (mesh.vertices.empty() || std::abs(lowestOf(mesh)) > blind_mm) return;
+  if (mesh.vertices.empty()) return;
+  const double lowest_mm = lowestOf(mesh);
+  if (lowest_mm > blind_mm || lowest_mm < -kBelowSpacings * median(spacing_mm)) return;
   for (MeshVertex& vertex : mesh.vertices) {
     vertex.position.z() = std::max(vertex.position.z(), 0.0);
   }

@@ -21,7 +21,7 @@ TEST(SurfacePoints, AreThinnedByNoise) {
   for (const Point& point : points->cloud.points) {
     worst_mm = std::max(worst_mm, std::abs(point.position.norm() - 20.0));
   }
-  EXPECT_LT(worst_mm, 0.6);  // three to four sigmas would be 1.1
+  EXPECT_LT(worst_mm, 0.8);  // unsettled, the worst of 2 000 are 3.5 sigmas off: 1.05
 }
 
 TEST(SurfacePoints, KeepWhatIsCertain) {
