@@ -57,7 +57,7 @@ class ScanController final : public QObject {
   void stop();
   void makeMesh(double gap_size_mm);  // 0: chosen by the program
   void exportPoints(const std::filesystem::path& file);
-  void exportMesh(const std::filesystem::path& file);  // .ply or .obj
+  void exportMesh(const std::filesystem::path& file);  // as its ending says: writeModel()
   void openModel(const std::filesystem::path& scan_or_file);
   // Stops the table and everything else; quiet() follows when nothing runs any more.
   void shutDown();

@@ -12,8 +12,7 @@
 
 #include "app/cli/subcommands.h"
 #include "core/io/model_file.h"
-#include "core/io/obj.h"
-#include "core/io/ply.h"
+#include "core/io/model_writer.h"
 #include "core/io/visibility_file.h"
 #include "core/mesh/alpha_shape.h"
 #include "core/mesh/mesh_health.h"
@@ -46,12 +45,7 @@ Result<PointCloud> readPoints(const std::string& input) {
 }
 
 Result<void> checkWords(const Words& words) {
-  const std::string ending = fs::path(words.out).extension();
-  if (ending != ".ply" && ending != ".obj") {
-    return Error{Error::Code::kInvalidInput,
-                 "\"" + words.out + "\" does not end in a known mesh format.",
-                 "Let the file's name end in .ply or .obj."};
-  }
+  if (const auto known = checkModelEnding(words.out); !known) return known;
   if (words.method != "auto" && words.method != "alpha") {
     return Error{Error::Code::kInvalidInput,
                  "This version cannot make a mesh by the method \"" + words.method + "\".",
@@ -78,9 +72,7 @@ int run(const Words& words, Console& console, const Task& task) {
   options.alpha_mm = words.alpha_mm;
   const auto surface = alphaShapeMesh(*cloud, options, task);
   if (!surface) return console.fail(surface.error());
-  const fs::path out = words.out;
-  const auto written =
-      out.extension() == ".obj" ? writeObj(out, surface->mesh) : writePly(out, surface->mesh);
+  const auto written = writeModel(words.out, surface->mesh, labelOfScan(words.input));
   if (!written) return console.fail(written.error());
   console.say(healthText(*surface));
   return kDone;
@@ -97,7 +89,8 @@ void addMesh(CLI::App& app, Run& chosen) {
       ->check(CLI::IsMember({"auto", "alpha", "adaptive", "closed", "watertight", "silhouette"}));
   command->add_option("--alpha", words->alpha_mm, "Radius that bridges gaps, in mm")
       ->check(CLI::Range(1e-3, 1000.0));
-  command->add_option("--out", words->out, "File to write: .ply or .obj")->required();
+  command->add_option("--out", words->out, "File to write: .ply, .obj, .stl, .3mf or .glb")
+      ->required();
   command->callback([&chosen, words] {
     chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };
   });
