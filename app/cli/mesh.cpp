@@ -1,5 +1,6 @@
 // gyre mesh: a surface through points that were measured before.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <memory>
@@ -64,6 +65,14 @@ std::string healthText(const AlphaShapeMesh& surface) {
   return text.str();
 }
 
+std::string movedText(double moved_mm) {
+  if (std::abs(moved_mm) < 0.0005) return "";
+  std::ostringstream text;
+  text << " Moved by " << std::fixed << std::setprecision(3) << moved_mm
+       << " mm along z to stand on the bed.";
+  return text.str();
+}
+
 int run(const Words& words, Console& console, const Task& task) {
   if (const auto checked = checkWords(words); !checked) return console.wrongUse(checked.error());
   const auto cloud = readPoints(words.input);
@@ -74,7 +83,7 @@ int run(const Words& words, Console& console, const Task& task) {
   if (!surface) return console.fail(surface.error());
   const auto written = writeModel(words.out, surface->mesh, labelOfScan(words.input));
   if (!written) return console.fail(written.error());
-  console.say(healthText(*surface));
+  console.say(healthText(*surface) + movedText(movedAlongZ_mm(words.out, surface->mesh)));
   return kDone;
 }
 

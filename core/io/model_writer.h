@@ -16,6 +16,10 @@ namespace gyre {
 Result<void> writeModel(const std::filesystem::path& file, const Mesh& mesh,
                         const ModelLabel& label = {});
 
+// How far that moves the mesh along z, so that its lowest corner is at 0: nothing for .ply and
+// .obj. Where a base was not seen it can be millimetres, and the user should hear of it. [mm]
+double movedAlongZ_mm(const std::filesystem::path& file, const Mesh& mesh);
+
 // Fails with the same sentence where writeModel() would not know the ending: to be asked before a
 // long computation.
 Result<void> checkModelEnding(const std::filesystem::path& file);

@@ -50,6 +50,16 @@ TEST(WriteModel, KeepsThePlatesFrameInPlyAndObj) {
   }
 }
 
+TEST(MovedAlongZ, TellsHowFarAMeshIsMovedToStandOnTheBed) {
+  const Mesh egg = test::hoveringEgg();
+  for (const char* name : {"a.stl", "a.3MF", "a.glb"}) {
+    EXPECT_NEAR(movedAlongZ_mm(name, egg), -0.4, 1e-12) << name;
+  }
+  EXPECT_EQ(movedAlongZ_mm("a.ply", egg), 0.0);
+  EXPECT_EQ(movedAlongZ_mm("a.obj", egg), 0.0);
+  EXPECT_EQ(movedAlongZ_mm("a.stl", Mesh{}), 0.0);
+}
+
 TEST(WriteModel, SaysWhichEndingsItKnows) {
   const TempDir dir;
   for (const char* name : {"a", "a.step", "a.gltf"}) {
