@@ -4,14 +4,15 @@
 
 #include <filesystem>
 
+#include "core/io/model_file.h"
+
 namespace gyre {
 namespace {
 
 bool namesModel(const std::string& word) {
   const std::filesystem::path path(word);
-  const auto ending = path.extension();
   std::error_code ignored;
-  const bool openable = ending == ".gyre" || ending == ".ply" || ending == ".obj" ||
+  const bool openable = path.extension() == ".gyre" || isReadableModel(path) ||
                         std::filesystem::is_directory(path, ignored);
   return openable && std::filesystem::exists(path, ignored);
 }

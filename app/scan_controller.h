@@ -59,7 +59,7 @@ class ScanController final : public QObject {
   void stop();
   void makeMesh(gyre::MeshMethod method, double gap_size_mm);  // 0: chosen by the program
   void exportPoints(const std::filesystem::path& file);
-  void exportMesh(const std::filesystem::path& file);  // .ply or .obj
+  void exportMesh(const std::filesystem::path& file);  // as its ending says: writeModel()
   void openModel(const std::filesystem::path& scan_or_file);
   // Stops the table and everything else; quiet() follows when nothing runs any more.
   void shutDown();
@@ -108,7 +108,7 @@ class ScanController final : public QObject {
   PointCloudPtr cloud_;
   MeshPtr mesh_;
   std::shared_ptr<const AlphaShape> alpha_shape_;  // of cloud_, once it was asked for
-  std::optional<SurfaceWish> next_surface_;  // the last, kept while another is being made
+  std::optional<SurfaceWish> next_surface_;        // the last, kept while another is being made
   std::filesystem::path folder_;
   std::weak_ptr<Rig> stopped_rig_;  // on it the user stopped the last scan: it knows its angle
   ScanFacts facts_;

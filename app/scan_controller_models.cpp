@@ -4,7 +4,7 @@
 
 #include "app/scan_controller.h"
 #include "app/scan_outcome.h"
-#include "core/io/obj.h"
+#include "core/io/model_writer.h"
 #include "core/io/ply.h"
 
 namespace gyre {
@@ -81,8 +81,8 @@ void ScanController::exportPoints(const std::filesystem::path& file) {
 void ScanController::exportMesh(const std::filesystem::path& file) {
   if (!mesh_) return;
   exportBy(
-      [mesh = mesh_, file] {
-        return file.extension() == ".obj" ? writeObj(file, *mesh) : writePly(file, *mesh);
+      [mesh = mesh_, scan = folder_, file] {
+        return writeModel(file, *mesh, scan.empty() ? ModelLabel{} : labelOfScan(scan));
       },
       file);
 }

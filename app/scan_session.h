@@ -56,7 +56,7 @@ struct OpenedModel {
   int views_done = 0;
 };
 
-// Reads a scan's folder or .gyre file with the results beside it, or a .ply or .obj.
+// Reads a scan's folder or .gyre file with the results beside it, or a .ply, .obj or .stl.
 Result<OpenedModel> openScanOrModel(const std::filesystem::path& path, const Task& task);
 
 // Half of the points are surer than this; nothing when there are none. [mm]

@@ -3,9 +3,11 @@
 #include "app/workbench.h"
 
 #include <QApplication>
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
 #include <QTimer>
+#include <QUrl>
 
 #include "app/calibration_wiring.h"
 #include "core/device/discovery.h"
@@ -161,6 +163,11 @@ void Workbench::wireResults() {
   connect(page->export_panel, &ExportPanel::meshExportRequested, &controller_,
           [this](const QString& path) { controller_.exportMesh(pathOf(path)); });
   connect(&controller_, &ScanController::written, page->export_panel, &ExportPanel::showWritten);
+  connect(page->export_panel, &ExportPanel::openRequested, this, [page](const QString& path) {
+    if (QDesktopServices::openUrl(QUrl::fromLocalFile(path))) return;
+    page->banner->showNotice(tr("This computer has no program for \"%1\".").arg(path),
+                             tr("Install a slicer or a viewer, or open the file from there."));
+  });
   connect(&controller_, &ScanController::meshMade, this,
           [this, page](const MeshPtr& surface, const MeshHealth& health) {
             page->scene_view->showMesh(surface);

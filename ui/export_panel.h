@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include <QWidget>
 
@@ -24,16 +25,21 @@ class ExportPanel final : public QWidget {
 
  Q_SIGNALS:
   void pointsExportRequested(const QString& path);  // .ply
-  void meshExportRequested(const QString& path);    // .ply or .obj by its ending
+  void meshExportRequested(const QString& path);    // .ply, .obj, .stl, .3mf or .glb
+  void openRequested(const QString& path);          // in the program that the system has for it
 
  private:
-  void ask(const char* kind, const QString& filter);
+  enum class Content { kPoints, kSurface };
+
+  QPushButton* addFormat(Content content, const QString& format, const QString& tip);
+  void ask(Content content, const QString& format);
 
   QPushButton* points_;
-  QPushButton* ply_;
-  QPushButton* obj_;
+  std::vector<QPushButton*> surface_;  // one a format
   QLabel* written_;
+  QPushButton* open_;
   QString folder_;
+  QString written_path_;
 };
 
 }  // namespace gyre

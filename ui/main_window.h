@@ -37,7 +37,7 @@ class MainWindow final : public QMainWindow {
 
  Q_SIGNALS:
   void newScanRequested();
-  void openRequested(const QString& path);  // a scan folder, a .gyre file, a .ply or .obj
+  void openRequested(const QString& path);  // a scan folder, a .gyre file, a .ply, .obj or .stl
   void pauseRequested();
   void resumeRequested();
   void stopRequested();

@@ -58,6 +58,7 @@ MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
   method_ = new QComboBox;
   method_->addItem(tr("Closed body"), static_cast<int>(MeshMethod::kAuto));
   method_->addItem(tr("Open where nobody looked"), static_cast<int>(MeshMethod::kAlpha));
+  method_->addItem(tr("Closed skin, coarser"), static_cast<int>(MeshMethod::kWatertight));
   method_->setAccessibleName(tr("Kind of surface"));
   form->addRow(tr("Kind"), method_);
   form->addRow(tr("Gap size"), gap_mm_);
@@ -116,9 +117,19 @@ void MeshPanel::showMethod() {
   gap_mm_->setEnabled(open);
   gap_slider_->setEnabled(open);
   follows_gap_ = false;
-  method_words_->setText(
-      open ? tr("Wraps the points; gaps wider than the gap size stay open.")
-           : tr("Follows every line of sight: solid where no camera saw through, ready to print."));
+  switch (method()) {
+    case MeshMethod::kAlpha:
+      method_words_->setText(tr("Wraps the points; gaps wider than the gap size stay open."));
+      break;
+    case MeshMethod::kWatertight:
+      method_words_->setText(
+          tr("Lays a skin around the closed body: always free of crossings, for printers that "
+             "refuse the other."));
+      break;
+    default:
+      method_words_->setText(
+          tr("Follows every line of sight: solid where no camera saw through, ready to print."));
+  }
 }
 
 void MeshPanel::request() {
@@ -134,10 +145,17 @@ void MeshPanel::showHealth(const MeshHealth& health) {
                      .arg(locale.toString(static_cast<qulonglong>(health.vertices)),
                           locale.toString(static_cast<qulonglong>(health.triangles)))
                      .arg(health.area_mm2 / 100.0, 0, 'f', 1);
-  text += health.closed
-              ? tr("\n✓ closed")
-              : tr("\n⚠ open: it has %1 edges with nothing beyond").arg(health.boundary_edges);
+  text += health.closed ? tr("\n✓ closed, %1 cm³").arg(health.volume_mm3 / 1000.0, 0, 'f', 2)
+                        : tr("\n⚠ open, rims of holes: %1").arg(health.holes);
+  text += health.manifold && health.non_manifold_vertices == 0
+              ? tr("\n✓ touches itself nowhere")
+              : tr("\n⚠ touches itself at %1 places")
+                    .arg(health.non_manifold_edges + health.non_manifold_vertices);
   text += health.components == 1 ? tr("\n✓ one piece") : tr("\n⚠ %1 pieces").arg(health.components);
+  if (health.area_mm2 > 0.0 && health.unseen_area_mm2 > 0.0) {
+    text += tr("\n%1 % of the area was not seen by any camera")
+                .arg(100.0 * health.unseen_area_mm2 / health.area_mm2, 0, 'f', 1);
+  }
   health_->setText(text);
   show_->setCurrentIndex(2);
 }

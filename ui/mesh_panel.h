@@ -44,8 +44,8 @@ class MeshPanel final : public QWidget {
   QLabel* method_words_;
   QDoubleSpinBox* gap_mm_;
   QSlider* gap_slider_;
-  QTimer* pause_;              // between the last move of the slider and the surface
-  bool follows_gap_ = false;   // an alpha shape is shown
+  QTimer* pause_;             // between the last move of the slider and the surface
+  bool follows_gap_ = false;  // an alpha shape is shown
   QPushButton* make_;
   QComboBox* show_;
   QLabel* health_;

@@ -1,22 +1,23 @@
 // gyre mesh: a surface through points that were measured before.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
-#include <iomanip>
 #include <memory>
-#include <sstream>
+#include <optional>
 #include <string>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/cli/clean_words.h"
+#include "app/cli/mesh_ending.h"
 #include "app/cli/option_words.h"
 #include "app/cli/subcommands.h"
 #include "core/io/model_file.h"
-#include "core/io/obj.h"
-#include "core/io/ply.h"
+#include "core/io/model_label.h"
+#include "core/io/model_writer.h"
 #include "core/io/visibility_file.h"
-#include "core/mesh/mesh_health.h"
+#include "core/mesh/clean/clean_mesh.h"
 #include "core/pipeline/make_mesh.h"
 #include "core/pipeline/sights.h"
 
@@ -30,6 +31,7 @@ struct Words {
   std::string method = "auto";
   double alpha_mm = 0.0;
   VisibilityCutOptions cut;
+  CleanOptions clean;
   std::string out;
 };
 
@@ -45,9 +47,13 @@ fs::path pointsFile(const std::string& input) {
 // The points of a folder, a scan or a file, with the views that saw them where that is known.
 Result<PointCloud> readPoints(const std::string& input) {
   const fs::path file = pointsFile(input);
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) {
+    return Error{Error::Code::kNotFound, "There is no \"" + file.string() + "\".",
+                 "Name the folder of a reconstruction, a scan, or a file of points."};
+  }
   auto cloud = readPointCloud(file);
   if (!cloud) return cloud;
-  std::error_code ignored;
   const fs::path visibility = file.parent_path() / "visibility.bin";
   if (file.filename() == "points.ply" && fs::exists(visibility, ignored)) {
     if (const auto read = readVisibility(visibility, *cloud); !read) return read.error();
@@ -55,54 +61,67 @@ Result<PointCloud> readPoints(const std::string& input) {
   return cloud;
 }
 
-Result<void> checkWords(const Words& words) {
-  const std::string ending = fs::path(words.out).extension();
-  if (ending != ".ply" && ending != ".obj") {
-    return Error{Error::Code::kInvalidInput,
-                 "\"" + words.out + "\" does not end in a known mesh format.",
-                 "Let the file's name end in .ply or .obj."};
+// Where the points know their views: a cloud of another program may lie beside a scan's files.
+Result<std::optional<SightEvidence>> readSightsOf(const Words& words, const PointCloud& cloud) {
+  const fs::path file = pointsFile(words.input);
+  std::error_code ignored;
+  if (file.filename() != "points.ply" ||
+      !fs::exists(file.parent_path() / "visibility.bin", ignored)) {
+    return std::optional<SightEvidence>();
   }
-  if (!meshMethodOf(words.method)) {
+  return readSights(file.parent_path(), cloud);
+}
+
+Result<MeshRequest> requestOf(const Words& words) {
+  if (const auto known = checkModelEnding(words.out); !known) return known.error();
+  MeshRequest request;
+  const auto method = meshMethodOf(words.method);
+  if (!method) {
     return Error{Error::Code::kInvalidInput,
                  "This version cannot make a mesh by the method \"" + words.method + "\".",
-                 "Use --method closed or alpha, or leave it out."};
+                 "Use one of auto, alpha, adaptive, closed and watertight."};
   }
-  return {};
-}
-
-std::string healthText(const MadeMesh& made) {
-  const MeshHealth health = meshHealth(made.mesh);
-  std::ostringstream text;
-  if (made.method == MeshMethod::kAlpha) {
-    text << "Alpha shape, alpha " << std::setprecision(3) << made.alpha_mm << " mm: ";
-  } else {
-    text << "Visibility cut: ";
-  }
-  text << health.vertices << " vertices, " << health.triangles << " triangles, "
-       << health.components << (health.components == 1 ? " component, " : " components, ")
-       << (health.closed ? "closed" : "open where no camera looked") << ".";
-  return text.str();
-}
-
-int run(const Words& words, Console& console, const Task& task) {
-  if (const auto checked = checkWords(words); !checked) return console.wrongUse(checked.error());
-  MeshRequest request;
-  request.method = *meshMethodOf(words.method);
+  request.method = *method;
   request.cut = words.cut;
   request.alpha.alpha_mm = words.alpha_mm;
   request.alpha.spacing_mm = words.cut.spacing_mm;
   request.alpha.min_component_share = words.cut.min_component_share;
+  request.wrap.alpha_mm = words.alpha_mm;
+  if (const auto valid = words.clean.validate(); !valid) return valid.error();
+  return request;
+}
+
+// What the user asked to be cleaned; nothing where the mesh shall stay as it is made.
+bool wantsCleaning(const CleanOptions& clean) {
+  const CleanOptions nothing;
+  return clean.base_cap || clean.smooth.iterations > 0 || clean.decimate.triangles > 0 ||
+         clean.remesh.edge_mm > 0.0 || clean.holes.max_width_mm > 0.0 ||
+         clean.crop.radius_mm > 0.0 || clean.crop.z_min_mm != nothing.crop.z_min_mm ||
+         clean.crop.z_max_mm != nothing.crop.z_max_mm;
+}
+
+int run(const Words& words, Console& console, const Task& task) {
+  const auto request = requestOf(words);
+  if (!request) return console.wrongUse(request.error());
   const auto cloud = readPoints(words.input);
   if (!cloud) return console.fail(cloud.error());
-  const auto sights = readSights(pointsFile(words.input).parent_path(), *cloud);
+  const auto sights = readSightsOf(words, *cloud);
   if (!sights) return console.fail(sights.error());
-  const auto made = makeMesh(*cloud, *sights, request, task);
+  const bool cleaning = wantsCleaning(words.clean);
+  auto made = makeMesh(*cloud, *sights, *request, task.part(0.0, cleaning ? 0.6 : 1.0));
   if (!made) return console.fail(made.error());
-  const fs::path out = words.out;
-  const auto written =
-      out.extension() == ".obj" ? writeObj(out, made->mesh) : writePly(out, made->mesh);
+  CleanOptions clean = words.clean;
+  clean.min_component_share = words.cut.min_component_share;
+  std::optional<CleanReport> cleaned;
+  if (cleaning) {
+    auto result = cleanMesh(made->mesh, clean, task.part(0.6, 1.0));
+    if (!result) return console.fail(result.error());
+    made->mesh = std::move(result->mesh);
+    cleaned = std::move(result->report);
+  }
+  const auto written = writeModel(words.out, made->mesh, labelOfScan(words.input));
   if (!written) return console.fail(written.error());
-  console.say(healthText(*made));
+  tellMesh(console, *made, cleaned, movedAlongZ_mm(words.out, made->mesh));
   return kDone;
 }
 
@@ -113,12 +132,17 @@ void addMesh(CLI::App& app, Run& chosen) {
   CLI::App* command = app.add_subcommand("mesh", "Make a mesh of measured points");
   command->add_option("points", words->input, "A result's folder, a scan, or points.ply")
       ->required();
-  command->add_option("--method", words->method, "How: auto or alpha (default auto)")
+  command
+      ->add_option("--method", words->method,
+                   "How: auto, alpha, adaptive, closed or watertight (default auto: closed where "
+                   "the lines of sight are known, else alpha)")
       ->check(CLI::IsMember({"auto", "alpha", "adaptive", "closed", "watertight", "silhouette"}));
   command->add_option("--alpha", words->alpha_mm, "Radius that bridges gaps, in mm")
       ->check(CLI::Range(1e-3, 1000.0));
-  command->add_option("--out", words->out, "File to write: .ply or .obj")->required();
+  command->add_option("--out", words->out, "File to write: .ply, .obj, .stl, .3mf or .glb")
+      ->required();
   addOptionWords(*command, OptionList::of(words->cut), "Fine tuning");
+  addCleanWords(*command, words->clean);
   command->callback([&chosen, words] {
     chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };
   });

@@ -1,35 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/model_file.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "core/io/file_bytes.h"
+#include "core/io/model_format.h"
 
 namespace gyre {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{2} << 30U;
 
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
-
 }  // namespace
 
 Result<Model> readMeshOrCloud(const std::filesystem::path& file) {
-  const std::string ending = lowerCase(file.extension().string());
-  if (ending != ".ply" && ending != ".obj") {
+  if (!isReadableModel(file)) {
     return Error{Error::Code::kInvalidInput,
-                 "The file \"" + file.string() + "\" does not end in .ply or .obj.",
-                 "Export the model as PLY or OBJ."};
+                 "The file \"" + file.string() + "\" does not end in .ply, .obj or .stl.",
+                 "Export the model as PLY, OBJ or STL."};
   }
   const auto bytes = readFileBytes(file, kMaxBytes);
   if (!bytes) return bytes.error();
-  return ending == ".ply" ? parsePly(*bytes, file.string()) : parseObj(*bytes, file.string());
+  const auto format = modelFormatOf(file);
+  if (format == ModelFormat::kPly) return parsePly(*bytes, file.string());
+  if (format == ModelFormat::kObj) return parseObj(*bytes, file.string());
+  return parseStl(*bytes, file.string());
+}
+
+bool isReadableModel(const std::filesystem::path& file) {
+  const auto format = modelFormatOf(file);
+  return format == ModelFormat::kPly || format == ModelFormat::kObj || format == ModelFormat::kStl;
 }
 
 Result<Mesh> readMesh(const std::filesystem::path& file) {

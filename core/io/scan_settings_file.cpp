@@ -2,6 +2,8 @@
 #include "core/io/scan_settings_file.h"
 
 #include <cmath>
+#include <system_error>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -100,6 +102,27 @@ Result<std::string> scanSettingsText(const ScanSettings& settings) {
     return readable.error();
   }
   return text;
+}
+
+Result<std::filesystem::path> scanSettingsFileIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> found;
+  std::error_code problem;
+  for (std::filesystem::directory_iterator entry(folder, problem);
+       !problem && entry != std::filesystem::directory_iterator(); entry.increment(problem)) {
+    const std::filesystem::path& file = entry->path();
+    if (file.extension() != ".gyre" || file.filename().string().starts_with('.')) continue;
+    if (file.stem() == folder.filename()) return file;
+    found.push_back(file);
+  }
+  if (problem) return fileError(problem.value(), "open", folder);
+  if (found.size() == 1) return found.front();
+  if (found.size() > 1) {
+    return Error{Error::Code::kInvalidInput,
+                 "There are several .gyre files in \"" + folder.string() + "\".",
+                 "Give the one to open."};
+  }
+  return Error{Error::Code::kNotFound, "There is no scan in \"" + folder.string() + "\".",
+               "Give a folder that holds a .gyre file."};
 }
 
 }  // namespace gyre

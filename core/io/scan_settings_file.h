@@ -14,6 +14,9 @@ namespace gyre {
 // The most views that a scan may have.
 inline constexpr int kMaxViews = 100'000;
 
+// The .gyre file of a scan's folder: the one named as the folder, or the only one.
+Result<std::filesystem::path> scanSettingsFileIn(const std::filesystem::path& folder);
+
 Result<ScanSettings> readScanSettings(const std::filesystem::path& file);
 
 // The same from the file's text. file: what the sentences call it.

@@ -74,28 +74,6 @@ Error folderTaken(const fs::path& folder) {
           "Choose another name, or continue the scan that is in it."};
 }
 
-// The .gyre file of the folder: the one named as the folder, or the only one.
-Result<fs::path> settingsFileIn(const fs::path& folder) {
-  std::vector<fs::path> found;
-  std::error_code problem;
-  for (fs::directory_iterator entry(folder, problem); !problem && entry != fs::directory_iterator();
-       entry.increment(problem)) {
-    const fs::path& file = entry->path();
-    if (file.extension() != ".gyre" || file.filename().string().starts_with('.')) continue;
-    if (file.stem() == folder.filename()) return file;
-    found.push_back(file);
-  }
-  if (problem) return fileError(problem.value(), "open", folder);
-  if (found.size() == 1) return found.front();
-  if (found.size() > 1) {
-    return Error{Error::Code::kInvalidInput,
-                 "There are several .gyre files in \"" + folder.string() + "\".",
-                 "Give the one to open."};
-  }
-  return Error{Error::Code::kNotFound, "There is no scan in \"" + folder.string() + "\".",
-               "Give a folder that holds a .gyre file."};
-}
-
 // A PNG ends with the IEND chunk: without it, the file is not the one that addView() synced.
 bool isWholePng(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
@@ -151,7 +129,7 @@ Result<ScanStore> ScanStore::open(const fs::path& folder_or_file) {
   std::error_code problem;
   const bool is_file = fs::is_regular_file(named, problem);
   const fs::path folder = is_file ? named.parent_path() : named;
-  const auto file = is_file ? Result<fs::path>(named) : settingsFileIn(folder);
+  const auto file = is_file ? Result<fs::path>(named) : scanSettingsFileIn(folder);
   if (!file) return file.error();
   auto settings = readScanSettings(*file);
   if (!settings) return settings.error();

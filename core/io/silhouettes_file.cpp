@@ -40,7 +40,8 @@ cv::Mat maskFrom(const char* bytes, int width, int height) {
   cv::Mat mask(height, width, CV_8U);
   for (int y = 0; y < height; ++y) {
     auto* row = mask.ptr<std::uint8_t>(y);
-    const char* from = bytes + static_cast<std::size_t>(y) * rowBytes(static_cast<std::size_t>(width));
+    const char* from =
+        bytes + static_cast<std::size_t>(y) * rowBytes(static_cast<std::size_t>(width));
     for (int x = 0; x < width; ++x) {
       const auto packed = static_cast<std::uint8_t>(from[x / kBits]);
       row[x] = ((packed >> static_cast<unsigned>(x % kBits)) & 1U) != 0 ? 255 : 0;

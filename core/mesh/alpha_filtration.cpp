@@ -2,7 +2,9 @@
 #include "core/mesh/alpha_filtration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -24,9 +26,8 @@ Kernel::Point_3 placeOf(const Tetrahedra& tetrahedra, std::uint32_t point) {
 double cellRadius2(const Tetrahedra& tetrahedra, std::uint32_t cell) {
   if (tetrahedra.isInfinite(cell)) return kNever;
   const auto& [a, b, c, d] = tetrahedra.corners[cell];
-  const double radius2 =
-      CGAL::squared_radius(placeOf(tetrahedra, a), placeOf(tetrahedra, b), placeOf(tetrahedra, c),
-                           placeOf(tetrahedra, d));
+  const double radius2 = CGAL::squared_radius(placeOf(tetrahedra, a), placeOf(tetrahedra, b),
+                                              placeOf(tetrahedra, c), placeOf(tetrahedra, d));
   return std::isnan(radius2) ? kNever : radius2;  // a cell as flat as numbers can tell
 }
 
@@ -37,20 +38,33 @@ bool isGabriel(const Tetrahedra& tetrahedra, const Triangle& triangle, std::uint
   const auto holds = [&](std::uint32_t point) {
     return point != Tetrahedra::kInfinity &&
            CGAL::side_of_bounded_sphere(placeOf(tetrahedra, a), placeOf(tetrahedra, b),
-                                        placeOf(tetrahedra, c), placeOf(tetrahedra, point)) ==
-               CGAL::ON_BOUNDED_SIDE;
+                                        placeOf(tetrahedra, c),
+                                        placeOf(tetrahedra, point)) == CGAL::ON_BOUNDED_SIDE;
   };
   return !holds(apex) && !holds(mirror_apex);
 }
 
+// Square of the mean spacing at the corners; 1 where no spacing is given.
+template <std::size_t N>
+double unit2(std::span<const double> spacing_mm, const std::array<std::uint32_t, N>& corners) {
+  if (spacing_mm.empty()) return 1.0;
+  double sum = 0.0;
+  for (const std::uint32_t corner : corners) {
+    if (corner != Tetrahedra::kInfinity) sum += spacing_mm[corner];
+  }
+  const double mean = sum / static_cast<double>(N);
+  return mean * mean;
+}
+
 }  // namespace
 
-AlphaFiltration::AlphaFiltration(Tetrahedra tetrahedra)
+AlphaFiltration::AlphaFiltration(Tetrahedra tetrahedra, std::span<const double> spacing_mm)
     : tetrahedra_(std::move(tetrahedra)), facet_of_side_(tetrahedra_.cells()) {
   const auto cells = static_cast<std::uint32_t>(tetrahedra_.cells());
   cell_radius_mm2_.reserve(cells);
   for (std::uint32_t cell = 0; cell < cells; ++cell) {
-    cell_radius_mm2_.push_back(cellRadius2(tetrahedra_, cell));
+    cell_radius_mm2_.push_back(cellRadius2(tetrahedra_, cell) /
+                               unit2(spacing_mm, tetrahedra_.corners[cell]));
     facet_of_side_[cell].fill(kNoFacet);
   }
   facets_.reserve(2 * tetrahedra_.cells());
@@ -63,7 +77,8 @@ AlphaFiltration::AlphaFiltration(Tetrahedra tetrahedra)
       const auto& [a, b, c] = triangle;
       Facet facet{cell, side, 0.0, 0.0, 0.0};
       facet.radius_mm2 = CGAL::squared_radius(placeOf(tetrahedra_, a), placeOf(tetrahedra_, b),
-                                              placeOf(tetrahedra_, c));
+                                              placeOf(tetrahedra_, c)) /
+                         unit2(spacing_mm, triangle);
       const auto [smaller, larger] = std::minmax(cell_radius_mm2_[cell], cell_radius_mm2_[next]);
       const bool alone = isGabriel(tetrahedra_, triangle, tetrahedra_.corners[cell][side],
                                    tetrahedra_.corners[next][mirror]);
@@ -98,7 +113,7 @@ AlphaFacet AlphaFiltration::seenFrom(const Facet& facet, bool front, bool back) 
   // From its own cell's inside the corners run the other way than from beyond it.
   Triangle corners = tetrahedra_.side(facet.cell, facet.side);
   if (front && !back) std::swap(corners[1], corners[2]);
-  return {corners, std::sqrt(facet.radius_mm2), front && back};
+  return {corners, std::sqrt(facet.radius_mm2), front && back, facet.cell, facet.side};
 }
 
 std::vector<AlphaFacet> AlphaFiltration::boundary(double alpha_mm) const {

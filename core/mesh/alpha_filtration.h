@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -16,16 +17,20 @@ struct AlphaFacet {
   Triangle corners{};       // indices of points, counter-clockwise seen from the outside
   double radius_mm = 0.0;   // of the triangle's circumscribed circle
   bool both_sides = false;  // the outside touches it from behind as well: a sheet
+  std::uint32_t cell = 0;   // of the triangulation
+  std::uint8_t side = 0;    // of that cell
 };
 
 // Of every facet of a Delaunay triangulation, the radii alpha at which it belongs to the boundary
 // of the alpha shape (general mode, as CGAL's Alpha_shape_3 has it): it joins the shape when its
 // own smallest ball, where that holds no other point, or the ball of a cell beside it is no larger
-// than alpha, and it is inside when the balls of both cells are. Edelsbrunner and Muecke,
+// than alpha, and it is inside when the balls of both cells are. With a spacing for each point,
+// alpha and all radii count in spacings, the mean of those at the corners. Edelsbrunner and Muecke,
 // "Three-dimensional alpha shapes" (1994). Reading is safe from any thread.
 class AlphaFiltration {
  public:
-  explicit AlphaFiltration(Tetrahedra tetrahedra);
+  // spacing_mm: of each point, or empty.
+  explicit AlphaFiltration(Tetrahedra tetrahedra, std::span<const double> spacing_mm = {});
 
   const Tetrahedra& tetrahedra() const { return tetrahedra_; }
 
@@ -42,7 +47,7 @@ class AlphaFiltration {
 
  private:
   struct Facet {
-    std::uint32_t cell = 0;   // the finite one of the two where only one is
+    std::uint32_t cell = 0;  // the finite one of the two where only one is
     std::uint8_t side = 0;
     double joins_mm2 = 0.0;   // alpha^2 from which it belongs to the shape
     double leaves_mm2 = 0.0;  // alpha^2 from which it is inside
@@ -54,8 +59,8 @@ class AlphaFiltration {
   std::vector<char> reachedFromInfinity(double alpha_mm2) const;
 
   Tetrahedra tetrahedra_;
-  std::vector<double> cell_radius_mm2_;  // squared; infinite for cells that reach infinity
-  std::vector<Facet> facets_;            // finite ones
+  std::vector<double> cell_radius_mm2_;          // squared; infinite for cells that reach infinity
+  std::vector<Facet> facets_;                    // finite ones
   std::vector<Tetrahedra::Cell> facet_of_side_;  // of each cell and side, in facets_
 };
 

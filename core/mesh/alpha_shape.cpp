@@ -2,16 +2,13 @@
 #include "core/mesh/alpha_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 #include "core/base/median.h"
 #include "core/mesh/components.h"
 #include "core/mesh/kd_tree.h"
-#include "core/mesh/manifold_selection.h"
+#include "core/mesh/outward_facets.h"
 #include "core/mesh/small_holes.h"
 #include "core/mesh/surface_points.h"
 #include "core/mesh/thin_points.h"
@@ -19,19 +16,12 @@
 namespace gyre {
 namespace {
 
-// Balls smaller than alpha come first: they follow clefts that alpha would bridge, and leave to the
-// larger ones only the gaps of sparse regions.
-constexpr std::array<double, 3> kAlphaLadder = {0.35, 0.6, 1.0};
 // Thinned to this share of the spacing, the denser half of the surface becomes even and the sparser
 // half keeps its points. Points nearer than some sigmas would make a rough sheet, not a smooth one.
 constexpr double kSpacingShare = 0.8;
 constexpr double kSpacingSigmas = 5.0;
 // Gaps up to this perimeter are closed: a ball of radius alpha cannot fall through them.
 constexpr double kHolePerimeterAlphas = 3.0;
-// Cosine between a facet and the normals of its corners, below which it is a wall across a gap or
-// the side of a sliver.
-constexpr double kMinAgreement = 0.2;
-
 Error tooFew() {
   return {Error::Code::kTooFew, "A surface needs at least four points in different places.",
           "Scan the object from more views, or with more texture on it."};
@@ -59,24 +49,6 @@ std::vector<MeshVertex> thinned(const PointCloud& cloud, const KdTree& tree, dou
     vertices.push_back(vertexOf(cloud.points[kept]));
   }
   return vertices;
-}
-
-// Facets whose outer side is the one that their corners' normals look to.
-void addOutwardFacets(const std::vector<AlphaFacet>& facets, int level,
-                      const std::vector<MeshVertex>& vertices,
-                      std::vector<TriangleCandidate>& candidates) {
-  for (const AlphaFacet& facet : facets) {
-    const auto& [a, b, c] = facet.corners;
-    const Eigen::Vector3d ab = vertices[b].position - vertices[a].position;
-    const Eigen::Vector3d ac = vertices[c].position - vertices[a].position;
-    const Eigen::Vector3d normals = vertices[a].normal + vertices[b].normal + vertices[c].normal;
-    const double agreement = ab.cross(ac).stableNormalized().dot(normals) / 3.0;
-    if (agreement > kMinAgreement) {
-      candidates.push_back({facet.corners, level, facet.radius_mm});
-    } else if (facet.both_sides && agreement < -kMinAgreement) {
-      candidates.push_back({{a, c, b}, level, facet.radius_mm});
-    }
-  }
 }
 
 }  // namespace
@@ -109,16 +81,12 @@ Result<AlphaShape> AlphaShape::prepare(const PointCloud& cloud, const AlphaShape
 }
 
 Result<AlphaShapeMesh> AlphaShape::at(double alpha_mm) const {
-  std::vector<TriangleCandidate> candidates;
-  int level = 0;
-  for (const double step : kAlphaLadder) {
-    addOutwardFacets(filtration_.outerBoundary(step * alpha_mm), level++, vertices_, candidates);
-  }
   AlphaShapeMesh shape;
   shape.alpha_mm = alpha_mm;
   shape.spacing_mm = spacing_mm_;
   shape.mesh.vertices = vertices_;
-  shape.mesh.triangles = selectManifold(std::move(candidates));
+  shape.mesh.triangles =
+      outwardFacets(filtration_, alpha_mm, vertices_, [](const AlphaFacet&) { return true; });
   closeSmallHoles(shape.mesh, {.max_perimeter_mm = kHolePerimeterAlphas * alpha_mm});
   removeSmallComponents(shape.mesh, min_component_share_);
   if (shape.mesh.triangles.empty()) {

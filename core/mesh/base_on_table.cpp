@@ -21,7 +21,7 @@ namespace {
 constexpr double kBlindShare = 0.025;
 constexpr double kLowestQuantile = 0.002;
 constexpr double kBelowSpacings = 0.25;  // what reaches farther below is no noise: no table there
-constexpr double kLooksDown = -0.5;  // z of a facet's normal
+constexpr double kLooksDown = -0.5;      // z of a facet's normal
 
 double lowestOf(const Mesh& mesh) {
   std::vector<double> heights;
@@ -89,7 +89,8 @@ class Base {
     double high_mm2 = 0.0;
     for (const auto& patch : widePatches(mesh, spacing_mm)) {
       double area_mm2 = 0.0;
-      for (const std::size_t i : patch) area_mm2 += 0.5 * doubleArea(mesh, mesh.triangles[i]).norm();
+      for (const std::size_t i : patch)
+        area_mm2 += 0.5 * doubleArea(mesh, mesh.triangles[i]).norm();
       const bool low = std::all_of(patch.begin(), patch.end(), [&](std::size_t i) {
         const Triangle& triangle = mesh.triangles[i];
         return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t corner) {

@@ -93,20 +93,20 @@ class SightVotes {
       : tetrahedra_(tetrahedra), around_(tetrahedra), graph_(graph) {}
 
   // A camera saw the point.
-  void addSight(std::uint32_t point, const Point& seen, const Eigen::Vector3d& camera, double weight,
-                double tolerance_mm) {
+  void addSight(std::uint32_t point, const Point& seen, const Eigen::Vector3d& camera,
+                double weight, double tolerance_mm) {
     const Eigen::Vector3d& place = tetrahedra_.points[point];
     const Eigen::Vector3d offset = camera - place;
     const double length_mm = offset.norm();
     if (!(length_mm > 0.0)) return;
     const Eigen::Vector3d towards = offset / length_mm;
     if (const auto start = cellTowards(tetrahedra_, around_, point, towards)) {
-      const auto end = walkCells(
-          tetrahedra_, *start, Ray{place, towards}, length_mm,
-          [&](std::uint32_t cell, const CellExit& exit) {
-            const double off = exit.distance_mm / tolerance_mm;
-            addBefore(cell, exit.side, weight * (1.0 - std::exp(-0.5 * off * off)));
-          });
+      const auto end =
+          walkCells(tetrahedra_, *start, Ray{place, towards}, length_mm,
+                    [&](std::uint32_t cell, const CellExit& exit) {
+                      const double off = exit.distance_mm / tolerance_mm;
+                      addBefore(cell, exit.side, weight * (1.0 - std::exp(-0.5 * off * off)));
+                    });
       if (!tetrahedra_.isInfinite(end)) graph_.sink_costs[end] += static_cast<float>(weight);
     }
     const double facing = seen.normal.isZero() ? 1.0 : seen.normal.dot(towards);
@@ -172,8 +172,8 @@ double toleranceOf(const Point& point, double spacing_mm) {
 }  // namespace
 
 Result<CellGraph> freeSpaceGraph(const Tetrahedra& tetrahedra, const SurfacePoints& points,
-                                 const SightEvidence& evidence,
-                                 const VisibilityCutOptions& options, const Task& task) {
+                                 const SightEvidence& evidence, const VisibilityCutOptions& options,
+                                 const Task& task) {
   CellGraph graph;
   graph.neighbours = tetrahedra.neighbours;
   graph.mirrors = tetrahedra.mirrors;

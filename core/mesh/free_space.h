@@ -20,12 +20,12 @@ namespace gyre {
 // distance d before the point, t being the tolerance with which the point and its neighbours stand
 // for the surface; to leave the cell at t behind the point outside costs a, and more where nothing
 // else was seen through it (weakly supported surfaces). The background of a picture costs 1 at
-// every facet that its rays pass. Beside these a facet costs quality times 1 - cos of the flatter angle at which the balls
-// of its cells meet it. Cells that reach infinity are outside.
+// every facet that its rays pass. Beside these a facet costs quality times 1 - cos of the flatter
+// angle at which the balls of its cells meet it. Cells that reach infinity are outside.
 //
 // Fails when the task is stopped. Labatut et al. (2009), eq. 4 to 6; Jancosek and Pajdla (2014).
 Result<CellGraph> freeSpaceGraph(const Tetrahedra& tetrahedra, const SurfacePoints& points,
-                                 const SightEvidence& evidence,
-                                 const VisibilityCutOptions& options, const Task& task);
+                                 const SightEvidence& evidence, const VisibilityCutOptions& options,
+                                 const Task& task);
 
 }  // namespace gyre

@@ -9,8 +9,9 @@
 namespace gyre {
 namespace {
 
-constexpr int kBuckets = 64;           // along each side of the grid
-constexpr double kLeastForward = 0.1;  // cosine from the axis, below which a corner is too far aside
+constexpr int kBuckets = 64;  // along each side of the grid
+constexpr double kLeastForward =
+    0.1;  // cosine from the axis, below which a corner is too far aside
 constexpr double kOnEdge = -1e-9;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {

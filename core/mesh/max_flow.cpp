@@ -79,8 +79,7 @@ class TwoTrees {
     return neighbours_[arc.node][static_cast<std::size_t>(arc.side)];
   }
   Arc back(Arc arc) const {
-    return {beyond(arc),
-            static_cast<int>(mirrors_[arc.node][static_cast<std::size_t>(arc.side)])};
+    return {beyond(arc), static_cast<int>(mirrors_[arc.node][static_cast<std::size_t>(arc.side)])};
   }
   float& residual(Arc arc) { return residual_[arc.node][static_cast<std::size_t>(arc.side)]; }
 

@@ -27,8 +27,7 @@ PointCloud thinned(const PointCloud& cloud, double apart_mm) {
   }
   PointCloud thin;
   const std::vector<double> radius_mm(positions.size(), apart_mm);
-  for (const std::uint32_t i :
-       thinPoints(KdTree(positions), {sigma_mm, normals, radius_mm})) {
+  for (const std::uint32_t i : thinPoints(KdTree(positions), {sigma_mm, normals, radius_mm})) {
     thin.points.push_back(cloud.points[i]);
   }
   return thin;

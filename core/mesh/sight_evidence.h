@@ -14,7 +14,8 @@ namespace gyre {
 struct SightEvidence {
   std::vector<Eigen::Vector3d> camera_centres;  // of each view that points name. [mm]
   // Lines from a camera that meet nothing, as they end in the background of its picture: a list for
-  // each picture, all from its camera. An outline may be wrong, so each picture counts once wherever it speaks.
+  // each picture, all from its camera. An outline may be wrong, so each picture counts once
+  // wherever it speaks.
   std::vector<std::vector<Ray>> background;
 };
 

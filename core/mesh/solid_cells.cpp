@@ -27,8 +27,7 @@ double volumeOf(const Tetrahedra& tetrahedra, std::uint32_t cell) {
   if (tetrahedra.isInfinite(cell)) return std::numeric_limits<double>::infinity();
   const auto& [a, b, c, d] = tetrahedra.corners[cell];
   const auto& points = tetrahedra.points;
-  return std::abs(
-             (points[b] - points[a]).cross(points[c] - points[a]).dot(points[d] - points[a])) /
+  return std::abs((points[b] - points[a]).cross(points[c] - points[a]).dot(points[d] - points[a])) /
          6.0;
 }
 

@@ -75,8 +75,8 @@ Result<SurfacePoints> surfacePoints(const PointCloud& cloud, double spacing_mm, 
   std::vector<Eigen::Vector3d> normals;
   for (std::size_t i = 0; i < spacing.size(); ++i) {
     const Point& point = settled->points[i];
-    radius_mm.push_back(std::max({spacing_mm, kThinningShare * spacing[i],
-                                  kSpacingSigmas * sigmaAlongNormal(point)}));
+    radius_mm.push_back(std::max(
+        {spacing_mm, kThinningShare * spacing[i], kSpacingSigmas * sigmaAlongNormal(point)}));
     cost.push_back(point.sigmaMm());
     normals.push_back(point.normal);
   }

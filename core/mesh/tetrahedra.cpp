@@ -66,8 +66,7 @@ void flatten(Triangulation& triangulation, Tetrahedra& flat) {
       const auto at = static_cast<std::size_t>(i);
       flat.corners[number][at] = cell->vertex(i)->info();
       flat.neighbours[number][at] = cell->neighbor(i)->info();
-      flat.mirrors[number][at] =
-          static_cast<std::uint32_t>(triangulation.mirror_index(cell, i));
+      flat.mirrors[number][at] = static_cast<std::uint32_t>(triangulation.mirror_index(cell, i));
     }
   }
 }
@@ -99,8 +98,7 @@ Result<Tetrahedra> delaunay(std::vector<Eigen::Vector3d> points, const Task& tas
   numbered.reserve(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (!points[i].allFinite()) {
-      return Error{Error::Code::kInvalidInput,
-                   "The cloud holds a coordinate that is not a number.",
+      return Error{Error::Code::kInvalidInput, "The cloud holds a coordinate that is not a number.",
                    "Write the points again with finite coordinates."};
     }
     numbered.emplace_back(Kernel::Point_3(points[i].x(), points[i].y(), points[i].z()), i);

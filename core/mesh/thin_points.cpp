@@ -56,7 +56,8 @@ std::vector<std::uint32_t> thinPoints(const KdTree& points, const ThinningInput&
     if (covered[candidate]) continue;
     kept.push_back(candidate);
     const Eigen::Vector3d& normal = input.normals[candidate];
-    for (const auto& [index, squared_mm2] : points.within(points.point(candidate), input.radius_mm[candidate])) {
+    for (const auto& [index, squared_mm2] :
+         points.within(points.point(candidate), input.radius_mm[candidate])) {
       if (squared_mm2 == 0.0 || normal.dot(input.normals[index]) >= 0.0) covered[index] = 1;
     }
   }

@@ -25,8 +25,8 @@ struct ThinningInput {
   std::span<const double> radius_mm;         // how near another may not lie
 };
 
-// Indices, ascending, of points none of which lies nearer than its radius to one of less cost on the
-// same side of the object, and that leave no other point of their side farther away from all
+// Indices, ascending, of points none of which lies nearer than its radius to one of less cost on
+// the same side of the object, and that leave no other point of their side farther away from all
 // (Poisson disc). Points whose normals are more than a right angle apart lie on different sides,
 // those of a thin wall.
 std::vector<std::uint32_t> thinPoints(const KdTree& points, const ThinningInput& input);

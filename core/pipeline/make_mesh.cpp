@@ -3,7 +3,9 @@
 
 #include <utility>
 
+#include "core/mesh/adaptive_alpha.h"
 #include "core/mesh/alpha_shape.h"
+#include "core/mesh/clean/wrap.h"
 #include "core/mesh/visibility_cut.h"
 
 namespace gyre {
@@ -24,6 +26,17 @@ Result<MadeMesh> byAlphaShape(const PointCloud& cloud, const AlphaShapeOptions& 
   return MadeMesh{std::move(shape->mesh), MeshMethod::kAlpha, shape->alpha_mm};
 }
 
+Result<MadeMesh> byWrap(const PointCloud& cloud, const std::optional<SightEvidence>& sights,
+                        const MeshRequest& request, const Task& task) {
+  MeshRequest first = request;
+  first.method = MeshMethod::kAuto;
+  const auto made = makeMesh(cloud, sights, first, task.part(0.0, 0.5));
+  if (!made) return made.error();
+  auto wrapped = wrapMesh(made->mesh, request.wrap, task.part(0.5, 1.0));
+  if (!wrapped) return wrapped.error();
+  return MadeMesh{std::move(wrapped->mesh), MeshMethod::kWatertight, wrapped->alpha_mm};
+}
+
 }  // namespace
 
 Result<MadeMesh> makeMesh(const PointCloud& cloud, const std::optional<SightEvidence>& sights,
@@ -37,6 +50,13 @@ Result<MadeMesh> makeMesh(const PointCloud& cloud, const std::optional<SightEvid
       if (!cut) return cut.error();
       return MadeMesh{std::move(cut->mesh), MeshMethod::kClosed, 0.0};
     }
+    case MeshMethod::kAdaptive: {
+      auto shape = adaptiveAlphaMesh(cloud, sights.value_or(SightEvidence()), request.alpha, task);
+      if (!shape) return shape.error();
+      return MadeMesh{std::move(shape->mesh), MeshMethod::kAdaptive, 0.0};
+    }
+    case MeshMethod::kWatertight:
+      return byWrap(cloud, sights, request, task);
     case MeshMethod::kAuto: {
       MeshRequest chosen = request;
       chosen.method = sights ? MeshMethod::kClosed : MeshMethod::kAlpha;

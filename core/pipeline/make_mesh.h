@@ -9,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/base/task.h"
+#include "core/mesh/clean/options.h"
 #include "core/mesh/options.h"
 #include "core/mesh/sight_evidence.h"
 #include "core/scan/mesh.h"
@@ -21,16 +22,17 @@ struct MeshRequest {
   MeshMethod method = MeshMethod::kAuto;
   AlphaShapeOptions alpha;
   VisibilityCutOptions cut;
+  WrapOptions wrap;
 };
 
 struct MadeMesh {
   Mesh mesh;
   MeshMethod method = MeshMethod::kAuto;  // as used
-  double alpha_mm = 0.0;                  // of alpha shapes
+  double alpha_mm = 0.0;                  // of alpha shapes and wraps
 };
 
-// kAuto takes the visibility cut where sights are known, else the alpha shape. Fails as the method
-// does, and when it needs sights that are not known.
+// kAuto takes the visibility cut where sights are known, else the alpha shape; kWatertight wraps
+// what kAuto makes. Fails as the method does, and when it needs sights that are not known.
 Result<MadeMesh> makeMesh(const PointCloud& cloud, const std::optional<SightEvidence>& sights,
                           const MeshRequest& request, const Task& task);
 

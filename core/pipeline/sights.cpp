@@ -20,7 +20,7 @@ namespace {
 // does no harm, and more of them tell little that is new.
 constexpr std::size_t kOutlinesAsked = 72;
 constexpr int kWidening_px = 1;  // in the outline, around each point
-constexpr int kMargin_px = 3;  // around the outline's box: rays farther out meet nothing anyhow
+constexpr int kMargin_px = 3;    // around the outline's box: rays farther out meet nothing anyhow
 
 // Full of the object where points of the cloud are seen, beside the outline too.
 cv::Mat widened(const Silhouette& silhouette, const CameraModel& camera,
@@ -32,8 +32,8 @@ cv::Mat widened(const Silhouette& silhouette, const CameraModel& camera,
     if (!pixel) continue;
     const int x = static_cast<int>(std::floor((pixel->x() + 0.5) / shrunk));
     const int y = static_cast<int>(std::floor((pixel->y() + 0.5) / shrunk));
-    for (int row = std::max(0, y - kWidening_px);
-         row <= std::min(mask.rows - 1, y + kWidening_px); ++row) {
+    for (int row = std::max(0, y - kWidening_px); row <= std::min(mask.rows - 1, y + kWidening_px);
+         ++row) {
       for (int column = std::max(0, x - kWidening_px);
            column <= std::min(mask.cols - 1, x + kWidening_px); ++column) {
         mask.at<std::uint8_t>(row, column) = 255;
@@ -106,10 +106,10 @@ Result<std::optional<SightEvidence>> readSights(const std::filesystem::path& fol
   const auto calibration = readCalibration(calibration_file);
   if (!calibration) return calibration.error();
   if (!calibration->cam_from_table) {
-    return Error{Error::Code::kInvalidInput,
-                 "The calibration \"" + calibration_file.string() +
-                     "\" does not say where the table is.",
-                 "Reconstruct with a calibration that was made on the turning table."};
+    return Error{
+        Error::Code::kInvalidInput,
+        "The calibration \"" + calibration_file.string() + "\" does not say where the table is.",
+        "Reconstruct with a calibration that was made on the turning table."};
   }
   const auto angles = readAngleList(angles_file);
   if (!angles) return angles.error();

@@ -64,8 +64,7 @@ Result<void> writePoints(const fs::path& folder, const Reconstruction& reconstru
   const PointCloud& cloud = reconstruction.cloud;
   if (const auto done = writePly(folder / "points.ply", cloud); !done) return done;
   if (const auto done = writeVisibility(folder / "visibility.bin", cloud); !done) return done;
-  if (const auto done =
-          writeSilhouettes(folder / "silhouettes.bin", reconstruction.silhouettes);
+  if (const auto done = writeSilhouettes(folder / "silhouettes.bin", reconstruction.silhouettes);
       !done) {
     return done;
   }
@@ -103,8 +102,8 @@ Result<WrittenResults> writeResults(const fs::path& folder, const Reconstruction
   Report report = completed(context.report, reconstruction);
   const double start_s = steadySeconds();
   task.report(0.0, "Making the mesh");
-  auto surface = makeMesh(reconstruction.cloud, sightsOf(reconstruction, context), {},
-                          task.part(0.0, 0.9));
+  auto surface =
+      makeMesh(reconstruction.cloud, sightsOf(reconstruction, context), {}, task.part(0.0, 0.9));
   report.seconds["mesh"] = steadySeconds() - start_s;
   if (surface) {
     written.mesh = std::move(surface->mesh);

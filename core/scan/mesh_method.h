@@ -12,13 +12,17 @@ namespace gyre {
 enum class MeshMethod {
   kAuto,        // the program's choice, which it tells
   kAlpha,       // outer facets of an alpha shape: open where nobody looked
+  kAdaptive,    // the same with an alpha that follows the spacing of the points
   kClosed,      // visibility cut: a closed body that no line of sight passes through
+  kWatertight,  // a closed skin wrapped around one of the others: the repair
 };
 
-inline constexpr std::array<std::pair<MeshMethod, std::string_view>, 3> kMeshMethodWords = {
+inline constexpr std::array<std::pair<MeshMethod, std::string_view>, 5> kMeshMethodWords = {
     {{MeshMethod::kAuto, "auto"},
      {MeshMethod::kAlpha, "alpha"},
-     {MeshMethod::kClosed, "closed"}}};
+     {MeshMethod::kAdaptive, "adaptive"},
+     {MeshMethod::kClosed, "closed"},
+     {MeshMethod::kWatertight, "watertight"}}};
 
 // As on the command line and in files.
 constexpr std::string_view wordOf(MeshMethod method) {

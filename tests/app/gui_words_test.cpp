@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/temp_dir.h"
+
 namespace gyre {
 namespace {
 
@@ -34,6 +36,17 @@ TEST(GuiWords, OpenAFolder) {
   const auto options = guiOptions({"."});
   ASSERT_TRUE(options);
   EXPECT_EQ(options->open, ".");
+}
+
+TEST(GuiWords, OpenAModelOfAnyKindThatIsRead) {
+  const TempDir dir;
+  for (const char* name : {"a.ply", "b.OBJ", "c.stl", "d.gyre"}) {
+    const std::string file = putFile(dir / name, "").string();
+    const auto options = guiOptions({file});
+    ASSERT_TRUE(options) << name;
+    EXPECT_EQ(options->open, file);
+  }
+  EXPECT_FALSE(guiOptions({putFile(dir / "e.txt", "").string()}));
 }
 
 }  // namespace

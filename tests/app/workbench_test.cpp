@@ -10,17 +10,24 @@
 #include <iostream>
 #include <string>
 
+#include <QDesktopServices>
 #include <QElapsedTimer>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 #include <QTimer>
 
+#include "core/io/model_file.h"
 #include "core/io/scan_store.h"
 #include "tests/support/qt_application.h"
 #include "ui/banner.h"
 #include "ui/device_panel.h"
+#include "ui/export_panel.h"
 #include "ui/job_bar.h"
 #include "ui/place_panel.h"
 #include "ui/scan_panel.h"
@@ -176,6 +183,44 @@ class WorkbenchTest : public testing::Test {
     ASSERT_TRUE(waitForPhase(ScanPhase::kScanning));
   }
 
+  static QFileDialog* openDialog(QWidget* parent) {
+    for (auto* dialog : parent->findChildren<QFileDialog*>()) {
+      if (dialog->isVisible()) return dialog;
+    }
+    return nullptr;
+  }
+  // Writes the surface in every format, by the buttons, and opens the last file.
+  void exportsByHand() {
+    ExportPanel* panel = bench_->window().work_page->export_panel;
+    QSignalSpy written(&controller(), &ScanController::written);
+    for (const QString format : {"PLY", "OBJ", "GLB", "3MF", "STL"}) {
+      press(panel, "Surface as " + format + "…");
+      QFileDialog* dialog = openDialog(panel);
+      ASSERT_NE(dialog, nullptr);
+      auto* name = dialog->findChild<QLineEdit*>();
+      dialog->activateWindow();  // what is typed elsewhere would not undo the choice of mesh.ply
+      ASSERT_TRUE(QTest::qWaitFor([&] { return name->hasFocus(); }));
+      name->selectAll();
+      QTest::keyClicks(name, "own");
+      QTest::keyClick(name, Qt::Key_Return);
+      ASSERT_TRUE(written.wait(kPatience_ms)) << format.toStdString();
+    }
+    for (const char* name : {"own.ply", "own.obj", "own.stl", "own.3mf", "own.glb"}) {
+      EXPECT_TRUE(QFileInfo::exists(scanFolder() + "/" + name)) << name;
+    }
+    const auto standing = readMesh((scanFolder() + "/own.stl").toStdString());
+    ASSERT_TRUE(standing.ok()) << standing.error().sentence();
+    EXPECT_EQ(boundsOf(*standing).min.z(), 0.0);
+    // Stands for the system, which would start a program.
+    QTextBrowser system;
+    QSignalSpy opened(&system, &QTextBrowser::anchorClicked);
+    QDesktopServices::setUrlHandler("file", &system, "anchorClicked");
+    press(panel, "Open in its program");
+    QDesktopServices::unsetUrlHandler("file");
+    ASSERT_EQ(opened.count(), 1);
+    EXPECT_EQ(opened.front().at(0).toUrl().toLocalFile(), scanFolder() + "/own.stl");
+  }
+
   QTemporaryDir folder_;
   std::unique_ptr<Workbench> bench_;
 };
@@ -198,10 +243,7 @@ TEST_F(WorkbenchTest, ScansLiveFromTheFirstButtonToTheFiles) {
   for (const char* name : {"points.ply", "mesh.ply", "mesh.obj", "report.json"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
-  QSignalSpy written(&controller(), &ScanController::written);
-  controller().exportMesh(folder / "own.obj");
-  ASSERT_TRUE(written.wait(kPatience_ms));
-  EXPECT_TRUE(std::filesystem::exists(folder / "own.obj"));
+  exportsByHand();
 }
 
 TEST_F(WorkbenchTest, PausesAndGoesOn) {

@@ -2,6 +2,7 @@
 #include "tests/support/seen_bodies.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -18,7 +19,7 @@ namespace {
 constexpr std::size_t kCameras = 24;
 constexpr double kCameraDistance_mm = 300.0;
 constexpr double kLeastFacing = 0.3;
-constexpr int kTriesPerPoint = 60;
+constexpr int kTriesPerPoint = 40;
 
 double boxDistance(const Eigen::Vector3d& place, const Eigen::Vector3d& half) {
   const Eigen::Vector3d off = place.cwiseAbs() - half;
@@ -49,28 +50,30 @@ bool isHidden(const Body& body, const Eigen::Vector3d& place, const Eigen::Vecto
 std::vector<Eigen::Vector3d> samplesOf(const Body& body, Random& random) {
   std::vector<Eigen::Vector3d> kept;
   double least_mm = 1e300;
+  double most_mm = 0.0;
   for (std::size_t i = 0; i < 200; ++i) {
-    least_mm = std::min(least_mm, body.spacing_mm(body.reach_mm * spiralDirection(i, 200)));
+    const double spacing_mm = body.spacing_mm(body.reach_mm * spiralDirection(i, 200));
+    least_mm = std::min(least_mm, spacing_mm);
+    most_mm = std::max(most_mm, spacing_mm);
   }
-  const auto darts = static_cast<std::size_t>(
-      kTriesPerPoint * 4.0 * kPi * body.reach_mm * body.reach_mm / (least_mm * least_mm));
+  const double cell_mm = std::sqrt(least_mm * most_mm);
+  const auto darts = static_cast<std::size_t>(kTriesPerPoint * 4.0 * kPi * body.reach_mm *
+                                              body.reach_mm / (least_mm * least_mm));
   std::map<std::array<int, 3>, std::vector<std::size_t>> cells;
-  double widest_mm = 0.0;
   const auto cellOf = [&](const Eigen::Vector3d& place) {
-    return std::array{static_cast<int>(std::floor(place.x() / least_mm)),
-                      static_cast<int>(std::floor(place.y() / least_mm)),
-                      static_cast<int>(std::floor(place.z() / least_mm))};
+    return std::array{static_cast<int>(std::floor(place.x() / cell_mm)),
+                      static_cast<int>(std::floor(place.y() / cell_mm)),
+                      static_cast<int>(std::floor(place.z() / cell_mm))};
   };
   for (std::size_t dart = 0; dart < darts; ++dart) {
     Eigen::Vector3d place(random.gaussian(), random.gaussian(), random.gaussian());
     place *= body.reach_mm * std::cbrt(random.uniform()) / place.norm();
-    for (int step = 0; step < 20; ++step) {
+    for (int step = 0; step < 20 && std::abs(body.distance_mm(place)) > 1e-7; ++step) {
       place -= body.distance_mm(place) * normalAt(body, place);
     }
     if (std::abs(body.distance_mm(place)) > 1e-6) continue;
     const double spacing_mm = body.spacing_mm(place);
-    widest_mm = std::max(widest_mm, spacing_mm);
-    const int reach = static_cast<int>(std::ceil(spacing_mm / least_mm));
+    const int reach = static_cast<int>(std::ceil(spacing_mm / cell_mm));
     const auto at = cellOf(place);
     bool alone = true;
     for (int x = -reach; x <= reach && alone; ++x) {
@@ -108,7 +111,9 @@ Body torusBody() {
 
 Body plateBody() {
   return {"plate",
-          [](const Eigen::Vector3d& p) { return boxDistance(p, {15.0, 10.0, 0.8}); },
+          [](const Eigen::Vector3d& p) {
+            return boxDistance(p, {15.0, 10.0, 0.8});
+          },
           [](const Eigen::Vector3d&) { return 0.8; }, 18.1, 2};
 }
 

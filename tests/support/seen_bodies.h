@@ -26,11 +26,11 @@ struct Body {
   int euler_number = 2;
 };
 
-Body sphereBody();        // radius 20, spacing 1.2
-Body torusBody();         // ring 20, tube 8, spacing 1.2
-Body plateBody();         // 30 x 20, two sides two spacings apart
-Body cubeBody();          // side 24, sharp edges, spacing 1.2
-Body tenfoldBody();       // a sphere whose spacing grows tenfold from one pole to the other
+Body sphereBody();   // radius 20, spacing 1.2
+Body torusBody();    // ring 20, tube 8, spacing 1.2
+Body plateBody();    // 30 x 20, two sides two spacings apart
+Body cubeBody();     // side 24, sharp edges, spacing 1.2
+Body tenfoldBody();  // a sphere whose spacing grows tenfold from one pole to the other
 
 struct SeenBody {
   PointCloud cloud;  // with views, normals as the program finds them, and covariances of the noise

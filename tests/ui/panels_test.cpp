@@ -4,12 +4,15 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "tests/support/qt_application.h"
@@ -53,6 +56,68 @@ TEST(ExportPanel, OffersOnlyWhatThereIs) {
   EXPECT_EQ(enabled, 1);  // points, and no surface
   panel.showWritten("/somewhere/mesh.obj");
   EXPECT_TRUE(textOf(panel).contains("/somewhere/mesh.obj"));
+}
+
+void press(QWidget& parent, const QString& text) {
+  for (QPushButton* button : parent.findChildren<QPushButton*>()) {
+    if (button->text() == text && button->isEnabled()) return button->click();
+  }
+  ADD_FAILURE() << "no button " << text.toStdString();
+}
+
+// Types a name into the dialog that is open and saves.
+void saveAs(QWidget& panel, const QString& name) {
+  auto* dialog = panel.findChild<QFileDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  auto* line = dialog->findChild<QLineEdit*>();
+  ASSERT_NE(line, nullptr);
+  line->selectAll();
+  QTest::keyClicks(line, name);
+  QTest::keyClick(line, Qt::Key_Return);
+}
+
+TEST(ExportPanel, AsksForTheFileOfEachFormatAndCompletesItsName) {
+  const QTemporaryDir folder;
+  ExportPanel panel;
+  panel.setFolder(folder.path());
+  panel.showAvailable(1000, 2000);
+  QSignalSpy wanted(&panel, &ExportPanel::meshExportRequested);
+  for (const QString format : {"PLY", "OBJ", "STL", "3MF", "GLB"}) {
+    press(panel, "Surface as " + format + "…");
+    saveAs(panel, "cup");
+    ASSERT_EQ(wanted.count(), 1) << format.toStdString();
+    EXPECT_EQ(wanted.takeFirst().at(0).toString(), folder.filePath("cup." + format.toLower()));
+    QTest::qWait(1);  // the dialog goes
+  }
+  QSignalSpy points(&panel, &ExportPanel::pointsExportRequested);
+  press(panel, "Points as PLY…");
+  saveAs(panel, "cloud.ply");
+  ASSERT_EQ(points.count(), 1);
+  EXPECT_EQ(points.front().at(0).toString(), folder.filePath("cloud.ply"));
+}
+
+TEST(ExportPanel, WritesNothingWhenThePersonThinksBetterOfIt) {
+  ExportPanel panel;
+  panel.showAvailable(1000, 2000);
+  QSignalSpy wanted(&panel, &ExportPanel::meshExportRequested);
+  press(panel, "Surface as STL…");
+  panel.findChild<QFileDialog*>()->reject();
+  EXPECT_EQ(wanted.count(), 0);
+}
+
+TEST(ExportPanel, OpensTheFileThatWasWrittenLast) {
+  ExportPanel panel;
+  panel.showAvailable(1000, 2000);
+  QSignalSpy opened(&panel, &ExportPanel::openRequested);
+  for (QPushButton* button : panel.findChildren<QPushButton*>()) {
+    const bool opens = button->text() == "Open in its program";
+    EXPECT_FALSE(opens && button->isEnabled());
+  }
+  panel.showWritten("/somewhere/mesh.obj");
+  panel.showWritten("/somewhere/mesh.stl");
+  press(panel, "Open in its program");
+  ASSERT_EQ(opened.count(), 1);
+  EXPECT_EQ(opened.front().at(0).toString(), "/somewhere/mesh.stl");
 }
 
 TEST(MeshPanel, AsksForTheGapSizeThatWasSet) {

@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/io/ply.h"
 #include "tests/support/command_answer.h"
+#include "tests/support/surfaces.h"
 #include "tests/support/temp_dir.h"
 
 namespace gyre {
@@ -66,6 +68,28 @@ TEST(CommandLine, ReproducesATableIntoAFolder) {
     EXPECT_TRUE(std::filesystem::exists(temp / ("tables/table2." + std::string(ending))));
   }
   EXPECT_FALSE(std::filesystem::exists(temp / "tables/table1.csv"));
+}
+
+TEST(CommandLine, WritesASurfaceInEveryFormatAndMeasuresThoseItReads) {
+  const TempDir temp;
+  const std::string points = (temp / "points.ply").string();
+  ASSERT_TRUE(writePly(points, test::sphereCloud(600, 10.0, {0.0, 0.0, 10.5})));
+  for (const char* name : {"a.ply", "a.obj", "a.stl", "a.3mf", "a.GLB"}) {
+    const Answer answer = gyre({"mesh", points, "--out", (temp / name).string()});
+    EXPECT_EQ(answer.code, 0) << answer.err;
+    EXPECT_TRUE(std::filesystem::exists(temp / name)) << name;
+    const bool stays = name == std::string("a.ply") || name == std::string("a.obj");
+    EXPECT_EQ(answer.out.find("to stand on the bed") == std::string::npos, stays) << answer.out;
+  }
+  for (const char* name : {"a.obj", "a.stl"}) {
+    const Answer answer =
+        gyre({"compare", (temp / name).string(), (temp / "a.ply").string(), "--align"});
+    EXPECT_EQ(answer.code, 0) << answer.err;
+    EXPECT_THAT(answer.out, HasSubstr("F-score 100.0 %")) << name;
+  }
+  const Answer wrong = gyre({"mesh", points, "--out", (temp / "a.step").string()});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr(".stl, .3mf or .glb"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "core/io/obj.h"
 #include "core/io/ply.h"
+#include "core/io/stl.h"
 #include "tests/support/model_samples.h"
 #include "tests/support/temp_dir.h"
 
@@ -22,10 +23,15 @@ TEST(ReadMeshOrCloud, TellsMeshesFromCloudsByWhatIsInTheFile) {
   EXPECT_TRUE(std::holds_alternative<PointCloud>(*readMeshOrCloud(dir / "a.ply")));
   EXPECT_TRUE(std::holds_alternative<Mesh>(*readMeshOrCloud(dir / "b.PLY")));
   EXPECT_TRUE(std::holds_alternative<Mesh>(*readMeshOrCloud(dir / "c.obj")));
+  ASSERT_TRUE(writeStl(dir / "d.stl", sampleMesh()));
+  EXPECT_TRUE(std::holds_alternative<Mesh>(*readMeshOrCloud(dir / "d.stl")));
 }
 
 TEST(ReadMeshOrCloud, RefusesOtherEndingsAndMissingFiles) {
-  EXPECT_THAT(readMeshOrCloud("duck.stl").error().what, HasSubstr(".ply or .obj"));
+  EXPECT_THAT(readMeshOrCloud("duck.glb").error().what, HasSubstr(".ply, .obj or .stl"));
+  EXPECT_FALSE(isReadableModel("duck.glb"));
+  EXPECT_FALSE(isReadableModel("duck"));
+  EXPECT_TRUE(isReadableModel("duck.Stl"));
   EXPECT_EQ(readMeshOrCloud("/nowhere/duck.ply").error().code, Error::Code::kNotFound);
 }
 

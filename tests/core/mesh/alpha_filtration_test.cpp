@@ -13,8 +13,8 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "core/mesh/mesh_health.h"
 #include "core/mesh/surface_points.h"
@@ -37,11 +37,11 @@ Result<std::vector<AlphaFacet>> facetsOf(const std::vector<Eigen::Vector3d>& poi
 }
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using AlphaVertex =
-    CGAL::Alpha_shape_vertex_base_3<Kernel,
-                                    CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>>;
+using AlphaVertex = CGAL::Alpha_shape_vertex_base_3<
+    Kernel, CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>>;
 using AlphaTriangulation = CGAL::Delaunay_triangulation_3<
-    Kernel, CGAL::Triangulation_data_structure_3<AlphaVertex, CGAL::Alpha_shape_cell_base_3<Kernel>>>;
+    Kernel,
+    CGAL::Triangulation_data_structure_3<AlphaVertex, CGAL::Alpha_shape_cell_base_3<Kernel>>>;
 using ReferenceShape = CGAL::Alpha_shape_3<AlphaTriangulation>;
 
 using Corners = std::set<std::array<std::uint32_t, 3>>;

@@ -12,9 +12,8 @@ namespace {
 Mesh block(double z_mm) {
   Mesh mesh;
   for (const double z : {z_mm, 40.0}) {
-    for (const Eigen::Vector2d& corner :
-         {Eigen::Vector2d(0, 0), Eigen::Vector2d(30, 0), Eigen::Vector2d(30, 30),
-          Eigen::Vector2d(0, 30)}) {
+    for (const Eigen::Vector2d& corner : {Eigen::Vector2d(0, 0), Eigen::Vector2d(30, 0),
+                                          Eigen::Vector2d(30, 30), Eigen::Vector2d(0, 30)}) {
       mesh.vertices.emplace_back().position = {corner.x(), corner.y(), z};
     }
   }

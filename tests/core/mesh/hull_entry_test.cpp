@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/hull_entry.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "core/base/random.h"
 #include "tests/support/surfaces.h"
@@ -23,7 +23,8 @@ TEST(HullEntry, IsTheFacetThatTheRayPasses) {
   Random random(4);
   for (int i = 0; i < 500; ++i) {
     const Eigen::Vector3d target =
-        9.0 * Eigen::Vector3d(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5);
+        9.0 *
+        Eigen::Vector3d(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5);
     const Eigen::Vector3d direction = (target - camera).normalized();
     const auto entry = hull.of(direction);
     ASSERT_TRUE(entry);

@@ -4,9 +4,9 @@
 #include <stop_token>
 #include <utility>
 
+#include <gtest/gtest.h>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
-#include <gtest/gtest.h>
 
 #include "core/base/random.h"
 #include "core/mesh/tetrahedra.h"
@@ -22,10 +22,9 @@ double costByBoost(const CellGraph& graph) {
       boost::vecS, boost::vecS, boost::directedS,
       boost::property<
           boost::vertex_index_t, std::size_t,
-          boost::property<
-              boost::vertex_color_t, boost::default_color_type,
-              boost::property<boost::vertex_distance_t, double,
-                              boost::property<boost::vertex_predecessor_t, Edge>>>>,
+          boost::property<boost::vertex_color_t, boost::default_color_type,
+                          boost::property<boost::vertex_distance_t, double,
+                                          boost::property<boost::vertex_predecessor_t, Edge>>>>,
       boost::property<boost::edge_capacity_t, double,
                       boost::property<boost::edge_residual_capacity_t, double,
                                       boost::property<boost::edge_reverse_t, Edge>>>>;

@@ -5,9 +5,9 @@
 #include <limits>
 #include <stop_token>
 
+#include <gtest/gtest.h>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <gtest/gtest.h>
 
 #include "core/base/random.h"
 

@@ -12,9 +12,8 @@ namespace {
 
 Mesh tetrahedron(double side_mm) {
   Mesh mesh;
-  for (const Eigen::Vector3d& corner :
-       {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0),
-        Eigen::Vector3d(0, 0, 1)}) {
+  for (const Eigen::Vector3d& corner : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
+                                        Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, 0, 1)}) {
     mesh.vertices.emplace_back().position = side_mm * corner;
   }
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};

@@ -1,0 +1,8 @@
+// Gives any bytes to the reader of OBJ files.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/fuzz_checks.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  gyre::fuzz::checkModel(gyre::parseObj(gyre::fuzz::textOf(bytes, size), "fuzzed"));
+  return 0;
+}
