@@ -41,12 +41,27 @@ int stepOf(double gap_mm) {
 MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  addSurfaceCard(layout);
+  addViewCard(layout);
+  layout->addStretch(1);
+  connectAll();
+  showMethod();
+  showNoMesh();
+}
+
+void MeshPanel::addSurfaceCard(QVBoxLayout* layout) {
   QVBoxLayout* card = nullptr;
   layout->addWidget(makeCard(card));
   card->addWidget(makeLabel(tr("Surface"), "heading"));
   auto* form = new QFormLayout;
+  method_ = new QComboBox;
+  method_->addItem(tr("Closed body"), static_cast<int>(MeshMethod::kAuto));
+  method_->addItem(tr("Open where nobody looked"), static_cast<int>(MeshMethod::kAlpha));
+  method_->addItem(tr("Closed skin, coarser"), static_cast<int>(MeshMethod::kWatertight));
+  method_->setAccessibleName(tr("Kind of surface"));
+  form->addRow(tr("Kind"), method_);
   gap_mm_ = new QDoubleSpinBox;
-  gap_mm_->setRange(0.0, 50.0);
+  gap_mm_->setRange(0.0, kMostGap_mm);
   gap_mm_->setDecimals(2);
   gap_mm_->setSingleStep(0.25);
   gap_mm_->setSuffix(tr(" mm"));
@@ -55,12 +70,6 @@ MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
   gap_mm_->setToolTip(
       tr("Gaps wider than this stay open; a smaller one follows finer relief. "
          "In mm."));
-  method_ = new QComboBox;
-  method_->addItem(tr("Closed body"), static_cast<int>(MeshMethod::kAuto));
-  method_->addItem(tr("Open where nobody looked"), static_cast<int>(MeshMethod::kAlpha));
-  method_->addItem(tr("Closed skin, coarser"), static_cast<int>(MeshMethod::kWatertight));
-  method_->setAccessibleName(tr("Kind of surface"));
-  form->addRow(tr("Kind"), method_);
   form->addRow(tr("Gap size"), gap_mm_);
   gap_slider_ = new QSlider(Qt::Horizontal);
   gap_slider_->setRange(0, kSliderSteps);
@@ -74,15 +83,20 @@ MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
   card->addWidget(make_);
   health_ = makeLabel(QString(), "muted");
   card->addWidget(health_);
-  QVBoxLayout* view = nullptr;
-  layout->addWidget(makeCard(view));
-  view->addWidget(makeLabel(tr("Show"), "heading"));
+}
+
+void MeshPanel::addViewCard(QVBoxLayout* layout) {
+  QVBoxLayout* card = nullptr;
+  layout->addWidget(makeCard(card));
+  card->addWidget(makeLabel(tr("Show"), "heading"));
   show_ = new QComboBox;
   show_->addItems({tr("Points, natural colours"), tr("Points, ± mm as colour"), tr("Surface")});
   show_->setAccessibleName(tr("What the 3D view shows"));
   show_->setToolTip(tr("± mm: how sure each point is, one standard deviation"));
-  view->addWidget(show_);
-  layout->addStretch(1);
+  card->addWidget(show_);
+}
+
+void MeshPanel::connectAll() {
   pause_ = new QTimer(this);
   pause_->setSingleShot(true);
   pause_->setInterval(kPause_ms);
@@ -104,8 +118,6 @@ MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
     Q_EMIT pointsShown();
     Q_EMIT coloursChosen(index == 1 ? CloudColours::kUncertainty : CloudColours::kNatural);
   });
-  showMethod();
-  showNoMesh();
 }
 
 MeshMethod MeshPanel::method() const {

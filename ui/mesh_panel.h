@@ -15,6 +15,7 @@ class QLabel;
 class QPushButton;
 class QSlider;
 class QTimer;
+class QVBoxLayout;
 
 namespace gyre {
 
@@ -36,6 +37,9 @@ class MeshPanel final : public QWidget {
   void pointsShown();
 
  private:
+  void addSurfaceCard(QVBoxLayout* layout);
+  void addViewCard(QVBoxLayout* layout);
+  void connectAll();
   MeshMethod method() const;
   void showMethod();
   void request();

@@ -37,7 +37,8 @@ std::string healthText(const MeshHealth& health) {
                      counted(health.components, "component", "components") + ", ";
   if (health.closed) {
     text += "closed";
-    if (health.genus) text += ", " + counted(static_cast<std::size_t>(*health.genus), "tunnel", "tunnels");
+    if (health.genus)
+      text += ", " + counted(static_cast<std::size_t>(*health.genus), "tunnel", "tunnels");
     text += formatted(", %.4g cm^3", health.volume_mm3 / 1000.0);
   } else {
     text += "open where no camera looked (" + counted(health.holes, "rim", "rims") + ")";

@@ -22,7 +22,7 @@ namespace {
 constexpr double kSpacingsPerAlpha = 0.8;
 constexpr double kHolePerimeterAlphas = 3.0;
 constexpr std::size_t kRaysPerPoint = 8;
-constexpr int kCrossed = 2;               // so many lines of sight through a facet are no accident
+constexpr int kCrossed = 2;  // so many lines of sight through a facet are no accident
 constexpr double kToleranceSpacings = 1.0;  // so near to its point a line of sight says nothing
 
 using Crossings = std::vector<std::array<std::uint16_t, 4>>;  // of each cell's sides
@@ -41,13 +41,13 @@ Crossings crossingsOf(const Tetrahedra& tetrahedra, const SurfacePoints& points,
       const Ray ray{point.position, offset.normalized()};
       const auto start = cellTowards(tetrahedra, around, i, ray.direction);
       if (!start) continue;
-      walkCells(tetrahedra, *start, ray, offset.norm(), [&](std::uint32_t cell,
-                                                            const CellExit& exit) {
-        if (exit.distance_mm < kToleranceSpacings * points.spacing_mm[i]) return;
-        const auto side = static_cast<std::size_t>(exit.side);
-        ++crossings[cell][side];
-        ++crossings[tetrahedra.neighbours[cell][side]][tetrahedra.mirrors[cell][side]];
-      });
+      walkCells(tetrahedra, *start, ray, offset.norm(),
+                [&](std::uint32_t cell, const CellExit& exit) {
+                  if (exit.distance_mm < kToleranceSpacings * points.spacing_mm[i]) return;
+                  const auto side = static_cast<std::size_t>(exit.side);
+                  ++crossings[cell][side];
+                  ++crossings[tetrahedra.neighbours[cell][side]][tetrahedra.mirrors[cell][side]];
+                });
     }
   }
   return crossings;
@@ -71,10 +71,9 @@ Result<AlphaShapeMesh> adaptiveAlphaMesh(const PointCloud& cloud, const SightEvi
   AlphaShapeMesh shape;
   for (const Point& point : points->cloud.points) shape.mesh.vertices.push_back(vertexOf(point));
   const double alpha = kSpacingsPerAlpha * options.alpha_spacings;
-  shape.mesh.triangles =
-      outwardFacets(filtration, alpha, shape.mesh.vertices, [&](const AlphaFacet& facet) {
-        return crossings[facet.cell][facet.side] < kCrossed;
-      });
+  shape.mesh.triangles = outwardFacets(
+      filtration, alpha, shape.mesh.vertices,
+      [&](const AlphaFacet& facet) { return crossings[facet.cell][facet.side] < kCrossed; });
   const double widest_mm = *std::max_element(points->spacing_mm.begin(), points->spacing_mm.end());
   closeSmallHoles(shape.mesh, {.max_perimeter_mm = kHolePerimeterAlphas * alpha * widest_mm});
   removeSmallComponents(shape.mesh, options.min_component_share);

@@ -34,11 +34,11 @@ double cellRadius2(const Tetrahedra& tetrahedra, std::uint32_t cell) {
 // Whether the smallest ball through the triangle holds neither of the points beside it.
 bool isGabriel(const Tetrahedra& tetrahedra, const Triangle& triangle, std::uint32_t apex,
                std::uint32_t mirror_apex) {
-  const auto& [a, b, c] = triangle;
   const auto holds = [&](std::uint32_t point) {
     return point != Tetrahedra::kInfinity &&
-           CGAL::side_of_bounded_sphere(placeOf(tetrahedra, a), placeOf(tetrahedra, b),
-                                        placeOf(tetrahedra, c),
+           CGAL::side_of_bounded_sphere(placeOf(tetrahedra, triangle[0]),
+                                        placeOf(tetrahedra, triangle[1]),
+                                        placeOf(tetrahedra, triangle[2]),
                                         placeOf(tetrahedra, point)) == CGAL::ON_BOUNDED_SIDE;
   };
   return !holds(apex) && !holds(mirror_apex);

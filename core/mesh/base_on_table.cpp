@@ -51,7 +51,7 @@ std::vector<std::vector<std::size_t>> widePatches(const Mesh& mesh,
                                                   const std::vector<double>& spacing_mm) {
   std::map<Edge, std::size_t> by_edge;
   std::set<std::size_t> waiting;
-  const auto forEdges = [&](std::size_t i, const auto& visit) {
+  const auto for_edges = [&](std::size_t i, const auto& visit) {
     for (std::size_t side = 0; side < 3; ++side) {
       visit(mesh.triangles[i][side], mesh.triangles[i][(side + 1) % 3]);
     }
@@ -60,7 +60,7 @@ std::vector<std::vector<std::size_t>> widePatches(const Mesh& mesh,
     const Triangle& triangle = mesh.triangles[i];
     if (!isWideFacet(mesh, spacing_mm, triangle) || !looksDown(mesh, triangle)) continue;
     waiting.insert(i);
-    forEdges(i, [&](std::uint32_t from, std::uint32_t to) { by_edge[{from, to}] = i; });
+    for_edges(i, [&](std::uint32_t from, std::uint32_t to) { by_edge[{from, to}] = i; });
   }
   std::vector<std::vector<std::size_t>> patches;
   while (!waiting.empty()) {
@@ -71,7 +71,7 @@ std::vector<std::vector<std::size_t>> widePatches(const Mesh& mesh,
       const std::size_t at = open.back();
       open.pop_back();
       patches.back().push_back(at);
-      forEdges(at, [&](std::uint32_t from, std::uint32_t to) {
+      for_edges(at, [&](std::uint32_t from, std::uint32_t to) {
         const auto beyond = by_edge.find({to, from});
         if (beyond == by_edge.end() || waiting.erase(beyond->second) == 0) return;
         open.push_back(beyond->second);
@@ -158,7 +158,7 @@ void restOnTable(Mesh& mesh, std::vector<double>& spacing_mm) {
   const auto rim = base.rim(mesh);
 
   std::map<std::uint32_t, std::uint32_t> foot_of;
-  const auto footOf = [&](std::uint32_t vertex) {
+  const auto foot_at = [&](std::uint32_t vertex) {
     const auto [found, fresh] =
         foot_of.try_emplace(vertex, static_cast<std::uint32_t>(mesh.vertices.size()));
     if (fresh) {
@@ -172,11 +172,11 @@ void restOnTable(Mesh& mesh, std::vector<double>& spacing_mm) {
     return found->second;
   };
   for (const std::size_t i : base.triangles()) {
-    for (std::uint32_t& corner : mesh.triangles[i]) corner = footOf(corner);
+    for (std::uint32_t& corner : mesh.triangles[i]) corner = foot_at(corner);
   }
   for (const auto& [from, to] : rim) {
-    mesh.triangles.push_back({from, to, footOf(to)});
-    mesh.triangles.push_back({from, footOf(to), footOf(from)});
+    mesh.triangles.push_back({from, to, foot_at(to)});
+    mesh.triangles.push_back({from, foot_at(to), foot_at(from)});
   }
 }
 

@@ -147,13 +147,13 @@ class TwoTrees {
       residual(arc) -= most;
       residual(back(arc)) += most;
     };
-    const auto sendBelow = [&](Arc arc, std::uint32_t child) {
+    const auto send_below = [&](Arc arc, std::uint32_t child) {
       send(arc);
       if (residual(arc) <= 0.0F) makeOrphan(child);
     };
     send(bridge);
-    climb(bridge.node, sendBelow);
-    climb(beyond(bridge), sendBelow);
+    climb(bridge.node, send_below);
+    climb(beyond(bridge), send_below);
     for (const std::uint32_t end : ends) {
       terminal_[end] += terminal_[end] > 0.0F ? -most : most;
       if (terminal_[end] == 0.0F) makeOrphan(end);

@@ -12,8 +12,8 @@
 namespace gyre {
 
 // The outer facets whose outer side is the one that the normals of their corners look to, as far as
-// `allows` lets them, chosen so that every edge has two triangles at most (selectManifold): those of
-// smaller balls than alpha first, which follow clefts that alpha would bridge, and of these the
+// `allows` lets them, chosen so that every edge has two triangles at most (selectManifold): those
+// of smaller balls than alpha first, which follow clefts that alpha would bridge, and of these the
 // smaller ones. vertices: of the filtration's points, with normals.
 std::vector<Triangle> outwardFacets(const AlphaFiltration& filtration, double alpha,
                                     std::span<const MeshVertex> vertices,

@@ -121,18 +121,18 @@ Result<Tetrahedra> delaunay(std::vector<Eigen::Vector3d> points, const Task& tas
 }
 
 CellsAround::CellsAround(const Tetrahedra& tetrahedra) : begin_(tetrahedra.points.size() + 1, 0) {
-  const auto forEachCorner = [&](const auto& visit) {
+  const auto for_each_corner = [&](const auto& visit) {
     for (std::uint32_t cell = 0; cell < tetrahedra.cells(); ++cell) {
       for (const std::uint32_t corner : tetrahedra.corners[cell]) {
         if (corner != Tetrahedra::kInfinity) visit(cell, corner);
       }
     }
   };
-  forEachCorner([&](std::uint32_t, std::uint32_t corner) { ++begin_[corner + std::size_t{1}]; });
+  for_each_corner([&](std::uint32_t, std::uint32_t corner) { ++begin_[corner + std::size_t{1}]; });
   for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
   cells_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  forEachCorner([&](std::uint32_t cell, std::uint32_t corner) { cells_[next[corner]++] = cell; });
+  for_each_corner([&](std::uint32_t cell, std::uint32_t corner) { cells_[next[corner]++] = cell; });
 }
 
 std::span<const std::uint32_t> CellsAround::of(std::uint32_t point) const {

@@ -60,7 +60,7 @@ std::vector<Eigen::Vector3d> samplesOf(const Body& body, Random& random) {
   const auto darts = static_cast<std::size_t>(kTriesPerPoint * 4.0 * kPi * body.reach_mm *
                                               body.reach_mm / (least_mm * least_mm));
   std::map<std::array<int, 3>, std::vector<std::size_t>> cells;
-  const auto cellOf = [&](const Eigen::Vector3d& place) {
+  const auto cell_of = [&](const Eigen::Vector3d& place) {
     return std::array{static_cast<int>(std::floor(place.x() / cell_mm)),
                       static_cast<int>(std::floor(place.y() / cell_mm)),
                       static_cast<int>(std::floor(place.z() / cell_mm))};
@@ -74,7 +74,7 @@ std::vector<Eigen::Vector3d> samplesOf(const Body& body, Random& random) {
     if (std::abs(body.distance_mm(place)) > 1e-6) continue;
     const double spacing_mm = body.spacing_mm(place);
     const int reach = static_cast<int>(std::ceil(spacing_mm / cell_mm));
-    const auto at = cellOf(place);
+    const auto at = cell_of(place);
     bool alone = true;
     for (int x = -reach; x <= reach && alone; ++x) {
       for (int y = -reach; y <= reach && alone; ++y) {
