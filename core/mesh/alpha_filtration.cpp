@@ -9,12 +9,17 @@
 #include <utility>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <Eigen/Geometry>
+
+#include "core/base/parallel.h"
 
 namespace gyre {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
+constexpr std::size_t kGrain = 4096;
+constexpr double kCertain = 1e-6;  // of the squared radius; rounding stays far below
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNoFacet = std::numeric_limits<std::uint32_t>::max();
 
@@ -31,17 +36,32 @@ double cellRadius2(const Tetrahedra& tetrahedra, std::uint32_t cell) {
   return std::isnan(radius2) ? kNever : radius2;  // a cell as flat as numbers can tell
 }
 
-// Whether the smallest ball through the triangle holds neither of the points beside it.
-bool isGabriel(const Tetrahedra& tetrahedra, const Triangle& triangle, std::uint32_t apex,
-               std::uint32_t mirror_apex) {
-  const auto holds = [&](std::uint32_t point) {
-    return point != Tetrahedra::kInfinity &&
-           CGAL::side_of_bounded_sphere(placeOf(tetrahedra, triangle[0]),
-                                        placeOf(tetrahedra, triangle[1]),
-                                        placeOf(tetrahedra, triangle[2]),
-                                        placeOf(tetrahedra, point)) == CGAL::ON_BOUNDED_SIDE;
-  };
-  return !holds(apex) && !holds(mirror_apex);
+// The smallest ball through a triangle.
+struct Ball {
+  Eigen::Vector3d centre;
+  double radius2 = 0.0;
+};
+
+Ball ballOf(const Tetrahedra& tetrahedra, const Triangle& triangle) {
+  const Eigen::Vector3d& origin = tetrahedra.points[triangle[0]];
+  const Eigen::Vector3d b = tetrahedra.points[triangle[1]] - origin;
+  const Eigen::Vector3d c = tetrahedra.points[triangle[2]] - origin;
+  const Eigen::Vector3d normal = b.cross(c);
+  const Eigen::Vector3d to_centre =
+      (b.squaredNorm() * c.cross(normal) + c.squaredNorm() * normal.cross(b)) /
+      (2.0 * normal.squaredNorm());
+  return {origin + to_centre, to_centre.squaredNorm()};
+}
+
+// Whether the ball holds the point in its inside: by numbers where these are certain, else exactly.
+bool holds(const Tetrahedra& tetrahedra, const Triangle& triangle, const Ball& ball,
+           std::uint32_t point) {
+  if (point == Tetrahedra::kInfinity) return false;
+  const double margin = (tetrahedra.points[point] - ball.centre).squaredNorm() / ball.radius2 - 1.0;
+  if (std::abs(margin) > kCertain) return margin < 0.0;  // false for a triangle without area
+  return CGAL::side_of_bounded_sphere(
+             placeOf(tetrahedra, triangle[0]), placeOf(tetrahedra, triangle[1]),
+             placeOf(tetrahedra, triangle[2]), placeOf(tetrahedra, point)) == CGAL::ON_BOUNDED_SIDE;
 }
 
 // Square of the mean spacing at the corners; 1 where no spacing is given.
@@ -59,37 +79,48 @@ double unit2(std::span<const double> spacing_mm, const std::array<std::uint32_t,
 }  // namespace
 
 AlphaFiltration::AlphaFiltration(Tetrahedra tetrahedra, std::span<const double> spacing_mm)
-    : tetrahedra_(std::move(tetrahedra)), facet_of_side_(tetrahedra_.cells()) {
-  const auto cells = static_cast<std::uint32_t>(tetrahedra_.cells());
-  cell_radius_mm2_.reserve(cells);
-  for (std::uint32_t cell = 0; cell < cells; ++cell) {
-    cell_radius_mm2_.push_back(cellRadius2(tetrahedra_, cell) /
-                               unit2(spacing_mm, tetrahedra_.corners[cell]));
-    facet_of_side_[cell].fill(kNoFacet);
-  }
+    : tetrahedra_(std::move(tetrahedra)),
+      cell_radius_mm2_(tetrahedra_.cells()),
+      facet_of_side_(tetrahedra_.cells()) {
+  listFacets();
+  parallelFor(tetrahedra_.cells(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (auto cell = static_cast<std::uint32_t>(begin); cell < end; ++cell) {
+      cell_radius_mm2_[cell] =
+          cellRadius2(tetrahedra_, cell) / unit2(spacing_mm, tetrahedra_.corners[cell]);
+    }
+  });
+  parallelFor(facets_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) setInterval(facets_[i], spacing_mm);
+  });
+}
+
+void AlphaFiltration::listFacets() {
   facets_.reserve(2 * tetrahedra_.cells());
-  for (std::uint32_t cell = 0; cell < cells; ++cell) {
+  for (std::uint32_t cell = 0; cell < tetrahedra_.cells(); ++cell) {
     for (std::uint8_t side = 0; side < 4; ++side) {
       const std::uint32_t next = tetrahedra_.neighbours[cell][side];
-      const std::uint32_t mirror = tetrahedra_.mirrors[cell][side];
-      if (next < cell || tetrahedra_.isInfinite(cell, side)) continue;
-      const Triangle triangle = tetrahedra_.side(cell, side);
-      const auto& [a, b, c] = triangle;
-      Facet facet{cell, side, 0.0, 0.0, 0.0};
-      facet.radius_mm2 = CGAL::squared_radius(placeOf(tetrahedra_, a), placeOf(tetrahedra_, b),
-                                              placeOf(tetrahedra_, c)) /
-                         unit2(spacing_mm, triangle);
-      const auto [smaller, larger] = std::minmax(cell_radius_mm2_[cell], cell_radius_mm2_[next]);
-      const bool alone = isGabriel(tetrahedra_, triangle, tetrahedra_.corners[cell][side],
-                                   tetrahedra_.corners[next][mirror]);
-      facet.joins_mm2 = alone ? std::min(facet.radius_mm2, smaller) : smaller;
-      facet.leaves_mm2 = larger;
-      const auto number = static_cast<std::uint32_t>(facets_.size());
+      if (next < cell) continue;
+      const bool reaches_infinity = tetrahedra_.isInfinite(cell, side);
+      const auto number = reaches_infinity ? kNoFacet : static_cast<std::uint32_t>(facets_.size());
       facet_of_side_[cell][side] = number;
-      facet_of_side_[next][mirror] = number;
-      facets_.push_back(facet);
+      facet_of_side_[next][tetrahedra_.mirrors[cell][side]] = number;
+      if (!reaches_infinity) facets_.push_back({cell, side, 0.0, 0.0, 0.0});
     }
   }
+}
+
+void AlphaFiltration::setInterval(Facet& facet, std::span<const double> spacing_mm) const {
+  const std::uint32_t next = tetrahedra_.neighbours[facet.cell][facet.side];
+  const std::uint32_t mirror = tetrahedra_.mirrors[facet.cell][facet.side];
+  const Triangle triangle = tetrahedra_.side(facet.cell, facet.side);
+  const Ball ball = ballOf(tetrahedra_, triangle);
+  facet.radius_mm2 = ball.radius2 / unit2(spacing_mm, triangle);
+  const auto [smaller, larger] = std::minmax(cell_radius_mm2_[facet.cell], cell_radius_mm2_[next]);
+  const bool alone =
+      !holds(tetrahedra_, triangle, ball, tetrahedra_.corners[facet.cell][facet.side]) &&
+      !holds(tetrahedra_, triangle, ball, tetrahedra_.corners[next][mirror]);
+  facet.joins_mm2 = alone ? std::min(facet.radius_mm2, smaller) : smaller;
+  facet.leaves_mm2 = larger;
 }
 
 std::vector<double> AlphaFiltration::alphasMm() const {

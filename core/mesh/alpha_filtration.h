@@ -54,6 +54,8 @@ class AlphaFiltration {
     double radius_mm2 = 0.0;  // its own, squared
   };
 
+  void listFacets();
+  void setInterval(Facet& facet, std::span<const double> spacing_mm) const;
   bool isSolid(std::uint32_t cell, double alpha_mm2) const;
   AlphaFacet seenFrom(const Facet& facet, bool front, bool back) const;
   std::vector<char> reachedFromInfinity(double alpha_mm2) const;

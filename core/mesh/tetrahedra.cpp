@@ -66,7 +66,7 @@ void flatten(Triangulation& triangulation, Tetrahedra& flat) {
       const auto at = static_cast<std::size_t>(i);
       flat.corners[number][at] = cell->vertex(i)->info();
       flat.neighbours[number][at] = cell->neighbor(i)->info();
-      flat.mirrors[number][at] = static_cast<std::uint32_t>(triangulation.mirror_index(cell, i));
+      flat.mirrors[number][at] = static_cast<std::uint32_t>(cell->neighbor(i)->index(cell));
     }
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/visibility_cut.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -20,16 +19,30 @@ namespace {
 
 constexpr int kMaxRounds = 10;
 
+// Fails where no point knows a camera that saw it, or most look away from theirs.
 Result<void> checkSights(const PointCloud& cloud, const SightEvidence& evidence) {
-  const std::size_t known = evidence.camera_centres.size();
-  const bool any = std::any_of(cloud.points.begin(), cloud.points.end(), [&](const Point& point) {
-    return std::any_of(point.views.begin(), point.views.end(),
-                       [&](std::uint32_t view) { return view < known; });
-  });
-  if (any) return {};
-  return Error{Error::Code::kInvalidInput,
-               "It is not known which views saw the points, so no line of sight can be followed.",
-               "Reconstruct again, or choose the alpha shape, which needs the points alone."};
+  std::size_t sights = 0;
+  std::size_t facing = 0;
+  for (const Point& point : cloud.points) {
+    for (const std::uint32_t view : point.views) {
+      if (view >= evidence.camera_centres.size()) continue;
+      ++sights;
+      const Eigen::Vector3d towards = evidence.camera_centres[view] - point.position;
+      if (point.normal.dot(towards) >= 0.0) ++facing;
+    }
+  }
+  if (sights == 0) {
+    return Error{Error::Code::kInvalidInput,
+                 "It is not known which views saw the points, so no line of sight can be followed.",
+                 "Reconstruct again, or choose the alpha shape, which needs the points alone."};
+  }
+  if (2 * facing < sights) {
+    return Error{Error::Code::kInvalidInput,
+                 "Most points look away from the cameras that are said to have seen them.",
+                 "Points, views, angles and calibration must come from one reconstruction: "
+                 "reconstruct again, or choose the alpha shape, which needs the points alone."};
+  }
+  return {};
 }
 
 SolidCells solidCells(const Tetrahedra& tetrahedra, const CellCut& cut, double min_share) {

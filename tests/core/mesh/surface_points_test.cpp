@@ -21,7 +21,7 @@ TEST(SurfacePoints, AreThinnedByNoise) {
   for (const Point& point : points->cloud.points) {
     worst_mm = std::max(worst_mm, std::abs(point.position.norm() - 20.0));
   }
-  EXPECT_LT(worst_mm, 0.8);  // unsettled, the worst of 2 000 are 3.5 sigmas off: 1.05
+  EXPECT_LT(worst_mm, 0.9);  // unsettled, the worst of 4 000 is 3.7 sigmas off: 1.1
 }
 
 TEST(SurfacePoints, KeepWhatIsCertain) {

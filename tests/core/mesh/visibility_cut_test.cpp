@@ -124,6 +124,12 @@ TEST(VisibilityCut, SaysWhatIsMissing) {
   EXPECT_FALSE(visibilityCut(seen.cloud, seen.sights, {}, {}));
 }
 
+TEST(VisibilityCut, RefusesSightsOfAnotherScan) {
+  Dome seen = dome();
+  for (Eigen::Vector3d& camera : seen.sights.camera_centres) camera.head<2>() *= -1.0;
+  EXPECT_THAT(visibilityCut(seen.cloud, seen.sights, {}, {}).error().what, HasSubstr("look away"));
+}
+
 TEST(VisibilityCut, HearsAStop) {
   std::stop_source stop;
   stop.request_stop();
