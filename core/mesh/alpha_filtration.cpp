@@ -21,7 +21,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr std::size_t kGrain = 4096;
 constexpr double kCertain = 1e-6;  // of the squared radius; rounding stays far below
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t kNoFacet = std::numeric_limits<std::uint32_t>::max();
 
 Kernel::Point_3 placeOf(const Tetrahedra& tetrahedra, std::uint32_t point) {
   const Eigen::Vector3d& place = tetrahedra.points[point];
@@ -81,54 +80,48 @@ double unit2(std::span<const double> spacing_mm, const std::array<std::uint32_t,
 AlphaFiltration::AlphaFiltration(Tetrahedra tetrahedra, std::span<const double> spacing_mm)
     : tetrahedra_(std::move(tetrahedra)),
       cell_radius_mm2_(tetrahedra_.cells()),
-      facet_of_side_(tetrahedra_.cells()) {
-  listFacets();
-  parallelFor(tetrahedra_.cells(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (auto cell = static_cast<std::uint32_t>(begin); cell < end; ++cell) {
-      cell_radius_mm2_[cell] =
-          cellRadius2(tetrahedra_, cell) / unit2(spacing_mm, tetrahedra_.corners[cell]);
-    }
+      joins_mm2_(tetrahedra_.cells()) {
+  const auto for_cells = [&](const auto& visit) {
+    parallelFor(tetrahedra_.cells(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (auto cell = static_cast<std::uint32_t>(begin); cell < end; ++cell) visit(cell);
+    });
+  };
+  for_cells([&](std::uint32_t cell) {
+    cell_radius_mm2_[cell] =
+        cellRadius2(tetrahedra_, cell) / unit2(spacing_mm, tetrahedra_.corners[cell]);
   });
-  parallelFor(facets_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) setInterval(facets_[i], spacing_mm);
-  });
+  for_cells([&](std::uint32_t cell) { setJoins(cell, spacing_mm); });
 }
 
-void AlphaFiltration::listFacets() {
-  facets_.reserve(2 * tetrahedra_.cells());
-  for (std::uint32_t cell = 0; cell < tetrahedra_.cells(); ++cell) {
-    for (std::uint8_t side = 0; side < 4; ++side) {
-      const std::uint32_t next = tetrahedra_.neighbours[cell][side];
-      if (next < cell) continue;
-      const bool reaches_infinity = tetrahedra_.isInfinite(cell, side);
-      const auto number = reaches_infinity ? kNoFacet : static_cast<std::uint32_t>(facets_.size());
-      facet_of_side_[cell][side] = number;
-      facet_of_side_[next][tetrahedra_.mirrors[cell][side]] = number;
-      if (!reaches_infinity) facets_.push_back({cell, side, 0.0, 0.0, 0.0});
+// For the sides of which the cell is the first of two: each entry is written by one cell.
+void AlphaFiltration::setJoins(std::uint32_t cell, std::span<const double> spacing_mm) {
+  for (int side = 0; side < 4; ++side) {
+    const auto at = static_cast<std::size_t>(side);
+    const std::uint32_t next = tetrahedra_.neighbours[cell][at];
+    const std::size_t mirror = tetrahedra_.mirrors[cell][at];
+    if (next < cell) continue;
+    double joins = kNever;
+    if (!tetrahedra_.isInfinite(cell, side)) {
+      joins = std::min(cell_radius_mm2_[cell], cell_radius_mm2_[next]);
+      const Triangle triangle = tetrahedra_.side(cell, side);
+      const Ball ball = ballOf(tetrahedra_, triangle);
+      const bool alone = !holds(tetrahedra_, triangle, ball, tetrahedra_.corners[cell][at]) &&
+                         !holds(tetrahedra_, triangle, ball, tetrahedra_.corners[next][mirror]);
+      if (alone) joins = std::min(joins, ball.radius2 / unit2(spacing_mm, triangle));
     }
+    joins_mm2_[cell][at] = joins;
+    joins_mm2_[next][mirror] = joins;
   }
-}
-
-void AlphaFiltration::setInterval(Facet& facet, std::span<const double> spacing_mm) const {
-  const std::uint32_t next = tetrahedra_.neighbours[facet.cell][facet.side];
-  const std::uint32_t mirror = tetrahedra_.mirrors[facet.cell][facet.side];
-  const Triangle triangle = tetrahedra_.side(facet.cell, facet.side);
-  const Ball ball = ballOf(tetrahedra_, triangle);
-  facet.radius_mm2 = ball.radius2 / unit2(spacing_mm, triangle);
-  const auto [smaller, larger] = std::minmax(cell_radius_mm2_[facet.cell], cell_radius_mm2_[next]);
-  const bool alone =
-      !holds(tetrahedra_, triangle, ball, tetrahedra_.corners[facet.cell][facet.side]) &&
-      !holds(tetrahedra_, triangle, ball, tetrahedra_.corners[next][mirror]);
-  facet.joins_mm2 = alone ? std::min(facet.radius_mm2, smaller) : smaller;
-  facet.leaves_mm2 = larger;
 }
 
 std::vector<double> AlphaFiltration::alphasMm() const {
   std::vector<double> squared;
-  squared.reserve(2 * facets_.size());
-  for (const Facet& facet : facets_) {
-    squared.push_back(facet.joins_mm2);
-    if (facet.leaves_mm2 < kNever) squared.push_back(facet.leaves_mm2);
+  const auto add = [&](double alpha_mm2) {
+    if (alpha_mm2 < kNever) squared.push_back(alpha_mm2);
+  };
+  for (std::uint32_t cell = 0; cell < tetrahedra_.cells(); ++cell) {
+    add(cell_radius_mm2_[cell]);
+    for (const double joins : joins_mm2_[cell]) add(joins);
   }
   std::sort(squared.begin(), squared.end());
   squared.erase(std::unique(squared.begin(), squared.end()), squared.end());
@@ -140,21 +133,33 @@ bool AlphaFiltration::isSolid(std::uint32_t cell, double alpha_mm2) const {
   return cell_radius_mm2_[cell] <= alpha_mm2;
 }
 
-AlphaFacet AlphaFiltration::seenFrom(const Facet& facet, bool front, bool back) const {
+template <class Visit>
+void AlphaFiltration::forBoundary(double alpha_mm2, const Visit& visit) const {
+  for (std::uint32_t cell = 0; cell < tetrahedra_.cells(); ++cell) {
+    for (std::uint8_t side = 0; side < 4; ++side) {
+      const std::uint32_t next = tetrahedra_.neighbours[cell][side];
+      if (next < cell || joins_mm2_[cell][side] > alpha_mm2) continue;
+      if (isSolid(cell, alpha_mm2) && isSolid(next, alpha_mm2)) continue;
+      visit(cell, side, next);
+    }
+  }
+}
+
+AlphaFacet AlphaFiltration::seenFrom(std::uint32_t cell, std::uint8_t side, bool front,
+                                     bool back) const {
   // From its own cell's inside the corners run the other way than from beyond it.
-  Triangle corners = tetrahedra_.side(facet.cell, facet.side);
+  Triangle corners = tetrahedra_.side(cell, side);
+  const double radius_mm = std::sqrt(ballOf(tetrahedra_, corners).radius2);
   if (front && !back) std::swap(corners[1], corners[2]);
-  return {corners, std::sqrt(facet.radius_mm2), front && back, facet.cell, facet.side};
+  return {corners, radius_mm, front && back, cell, side};
 }
 
 std::vector<AlphaFacet> AlphaFiltration::boundary(double alpha_mm) const {
   const double alpha_mm2 = alpha_mm * alpha_mm;
   std::vector<AlphaFacet> found;
-  for (const Facet& facet : facets_) {
-    if (facet.joins_mm2 > alpha_mm2 || facet.leaves_mm2 <= alpha_mm2) continue;
-    const std::uint32_t next = tetrahedra_.neighbours[facet.cell][facet.side];
-    found.push_back(seenFrom(facet, !isSolid(facet.cell, alpha_mm2), !isSolid(next, alpha_mm2)));
-  }
+  forBoundary(alpha_mm2, [&](std::uint32_t cell, std::uint8_t side, std::uint32_t next) {
+    found.push_back(seenFrom(cell, side, !isSolid(cell, alpha_mm2), !isSolid(next, alpha_mm2)));
+  });
   return found;
 }
 
@@ -171,9 +176,8 @@ std::vector<char> AlphaFiltration::reachedFromInfinity(double alpha_mm2) const {
     open.pop_back();
     for (std::size_t side = 0; side < 4; ++side) {
       const std::uint32_t next = tetrahedra_.neighbours[cell][side];
-      const std::uint32_t facet = facet_of_side_[cell][side];
       if (reached[next] || isSolid(next, alpha_mm2)) continue;
-      if (facet != kNoFacet && facets_[facet].joins_mm2 <= alpha_mm2) continue;
+      if (joins_mm2_[cell][side] <= alpha_mm2) continue;
       reached[next] = 1;
       open.push_back(next);
     }
@@ -185,12 +189,11 @@ std::vector<AlphaFacet> AlphaFiltration::outerBoundary(double alpha_mm) const {
   const double alpha_mm2 = alpha_mm * alpha_mm;
   const std::vector<char> reached = reachedFromInfinity(alpha_mm2);
   std::vector<AlphaFacet> found;
-  for (const Facet& facet : facets_) {
-    if (facet.joins_mm2 > alpha_mm2 || facet.leaves_mm2 <= alpha_mm2) continue;
-    const bool front = reached[facet.cell] != 0;
-    const bool back = reached[tetrahedra_.neighbours[facet.cell][facet.side]] != 0;
-    if (front || back) found.push_back(seenFrom(facet, front, back));
-  }
+  forBoundary(alpha_mm2, [&](std::uint32_t cell, std::uint8_t side, std::uint32_t next) {
+    const bool front = reached[cell] != 0;
+    const bool back = reached[next] != 0;
+    if (front || back) found.push_back(seenFrom(cell, side, front, back));
+  });
   return found;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,24 +47,19 @@ class AlphaFiltration {
   std::vector<AlphaFacet> outerBoundary(double alpha_mm) const;
 
  private:
-  struct Facet {
-    std::uint32_t cell = 0;  // the finite one of the two where only one is
-    std::uint8_t side = 0;
-    double joins_mm2 = 0.0;   // alpha^2 from which it belongs to the shape
-    double leaves_mm2 = 0.0;  // alpha^2 from which it is inside
-    double radius_mm2 = 0.0;  // its own, squared
-  };
-
-  void listFacets();
-  void setInterval(Facet& facet, std::span<const double> spacing_mm) const;
+  void setJoins(std::uint32_t cell, std::span<const double> spacing_mm);
   bool isSolid(std::uint32_t cell, double alpha_mm2) const;
-  AlphaFacet seenFrom(const Facet& facet, bool front, bool back) const;
   std::vector<char> reachedFromInfinity(double alpha_mm2) const;
+  // Calls visit(cell, side, next) for the facets of the boundary, each once.
+  template <class Visit>
+  void forBoundary(double alpha_mm2, const Visit& visit) const;
+  AlphaFacet seenFrom(std::uint32_t cell, std::uint8_t side, bool front, bool back) const;
 
   Tetrahedra tetrahedra_;
-  std::vector<double> cell_radius_mm2_;          // squared; infinite for cells that reach infinity
-  std::vector<Facet> facets_;                    // finite ones
-  std::vector<Tetrahedra::Cell> facet_of_side_;  // of each cell and side, in facets_
+  std::vector<double> cell_radius_mm2_;  // squared; infinite for cells that reach infinity
+  // Of each cell and side, alpha^2 from which it belongs to the shape; never where it reaches
+  // infinity. It leaves the boundary at the larger of its cells' radii.
+  std::vector<std::array<double, 4>> joins_mm2_;
 };
 
 }  // namespace gyre

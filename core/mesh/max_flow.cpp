@@ -79,7 +79,7 @@ class TwoTrees {
     return neighbours_[arc.node][static_cast<std::size_t>(arc.side)];
   }
   Arc back(Arc arc) const {
-    return {beyond(arc), static_cast<int>(mirrors_[arc.node][static_cast<std::size_t>(arc.side)])};
+    return {beyond(arc), mirrors_[arc.node][static_cast<std::size_t>(arc.side)]};
   }
   float& residual(Arc arc) { return residual_[arc.node][static_cast<std::size_t>(arc.side)]; }
 
@@ -237,7 +237,7 @@ class TwoTrees {
   }
 
   std::vector<CellGraph::Four> neighbours_;
-  std::vector<CellGraph::Four> mirrors_;
+  std::vector<std::array<std::uint8_t, 4>> mirrors_;
   std::vector<std::array<float, 4>> residual_;
   std::vector<float> terminal_;  // what the source can still give; negative: what the sink can take
   std::vector<Tree> tree_;

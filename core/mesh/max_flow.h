@@ -17,7 +17,7 @@ struct CellGraph {
   using Four = std::array<std::uint32_t, 4>;
 
   std::vector<Four> neighbours;
-  std::vector<Four> mirrors;  // which of the neighbour's four this node is
+  std::vector<std::array<std::uint8_t, 4>> mirrors;  // which of the neighbour's four it is
   // Cost of the node being on the source's side while the neighbour is on the sink's.
   std::vector<std::array<float, 4>> arc_costs;
   std::vector<float> sink_costs;    // of the node being on the sink's side

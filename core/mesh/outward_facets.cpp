@@ -3,6 +3,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -31,13 +32,17 @@ std::vector<Triangle> outwardFacets(const AlphaFiltration& filtration, double al
                                     std::span<const MeshVertex> vertices,
                                     const std::function<bool(const AlphaFacet&)>& allows) {
   std::vector<TriangleCandidate> candidates;
+  // A facet of a smaller ball is one of the larger balls, too: it is asked once.
+  std::vector<std::array<char, 4>> taken(filtration.tetrahedra().cells());
   int level = 0;
   for (const double step : kAlphaLadder) {
     for (const AlphaFacet& facet : filtration.outerBoundary(step * alpha)) {
+      if (taken[facet.cell][facet.side] != 0) continue;
       const double agrees = agreement(facet.corners, vertices);
       const bool front = agrees > kMinAgreement;
       const bool back = facet.both_sides && agrees < -kMinAgreement;
       if ((!front && !back) || !allows(facet)) continue;
+      taken[facet.cell][facet.side] = 1;
       const auto& [a, b, c] = facet.corners;
       candidates.push_back({front ? facet.corners : Triangle{a, c, b}, level, facet.radius_mm});
     }

@@ -57,17 +57,23 @@ void flatten(Triangulation& triangulation, Tetrahedra& flat) {
   triangulation.infinite_vertex()->info() = Tetrahedra::kInfinity;
   std::uint32_t count = 0;
   for (const auto cell : triangulation.all_cell_handles()) cell->info() = count++;
-  flat.corners.resize(count);
-  flat.neighbours.resize(count);
-  flat.mirrors.resize(count);
+  flat.corners.reserve(count);
+  flat.neighbours.reserve(count);
+  flat.mirrors.reserve(count);
   for (const auto cell : triangulation.all_cell_handles()) {
-    const std::uint32_t number = cell->info();
+    Tetrahedra::Cell corners{};
+    Tetrahedra::Cell neighbours{};
+    std::array<std::uint8_t, 4> mirrors{};
     for (int i = 0; i < 4; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      flat.corners[number][at] = cell->vertex(i)->info();
-      flat.neighbours[number][at] = cell->neighbor(i)->info();
-      flat.mirrors[number][at] = static_cast<std::uint32_t>(cell->neighbor(i)->index(cell));
+      const auto next = cell->neighbor(i);
+      corners[at] = cell->vertex(i)->info();
+      neighbours[at] = next->info();
+      mirrors[at] = static_cast<std::uint8_t>(next->index(cell));
     }
+    flat.corners.push_back(corners);
+    flat.neighbours.push_back(neighbours);
+    flat.mirrors.push_back(mirrors);
   }
 }
 

@@ -22,10 +22,10 @@ struct Tetrahedra {
 
   using Cell = std::array<std::uint32_t, 4>;
 
-  std::vector<Eigen::Vector3d> points;  // as given
-  std::vector<Cell> corners;            // of each cell, positively oriented
-  std::vector<Cell> neighbours;         // of each cell, the cell beyond each side
-  std::vector<Cell> mirrors;            // of each cell and side, which side of the neighbour it is
+  std::vector<Eigen::Vector3d> points;               // as given
+  std::vector<Cell> corners;                         // of each cell, positively oriented
+  std::vector<Cell> neighbours;                      // of each cell, the cell beyond each side
+  std::vector<std::array<std::uint8_t, 4>> mirrors;  // of each side, which one it is of that cell
 
   std::size_t cells() const { return corners.size(); }
   bool isInfinite(std::uint32_t cell) const;
