@@ -19,7 +19,8 @@ namespace {
 
 constexpr int kMaxRounds = 10;
 
-// Fails where no point knows a camera that saw it, or most look away from theirs.
+// Fails where no point knows a camera that saw it, or more than a fifth of the sights come from
+// behind.
 Result<void> checkSights(const PointCloud& cloud, const SightEvidence& evidence) {
   std::size_t sights = 0;
   std::size_t facing = 0;
@@ -36,9 +37,9 @@ Result<void> checkSights(const PointCloud& cloud, const SightEvidence& evidence)
                  "It is not known which views saw the points, so no line of sight can be followed.",
                  "Reconstruct again, or choose the alpha shape, which needs the points alone."};
   }
-  if (2 * facing < sights) {
+  if (5 * facing < 4 * sights) {
     return Error{Error::Code::kInvalidInput,
-                 "Most points look away from the cameras that are said to have seen them.",
+                 "Many points look away from the cameras that are said to have seen them.",
                  "Points, views, angles and calibration must come from one reconstruction: "
                  "reconstruct again, or choose the alpha shape, which needs the points alone."};
   }
