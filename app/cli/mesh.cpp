@@ -72,6 +72,11 @@ Result<std::optional<SightEvidence>> readSightsOf(const Words& words, const Poin
   return readSights(file.parent_path(), cloud);
 }
 
+// --keep-pieces speaks to the clean-up, --min-component to the making; both hold for both.
+double leastShare(const Words& words) {
+  return words.clean.min_component_share == 0.0 ? 0.0 : words.cut.min_component_share;
+}
+
 Result<MeshRequest> requestOf(const Words& words) {
   if (const auto known = checkModelEnding(words.out); !known) return known.error();
   MeshRequest request;
@@ -83,9 +88,10 @@ Result<MeshRequest> requestOf(const Words& words) {
   }
   request.method = *method;
   request.cut = words.cut;
+  request.cut.min_component_share = leastShare(words);
   request.alpha.alpha_mm = words.alpha_mm;
   request.alpha.spacing_mm = words.cut.spacing_mm;
-  request.alpha.min_component_share = words.cut.min_component_share;
+  request.alpha.min_component_share = leastShare(words);
   request.wrap.alpha_mm = words.alpha_mm;
   if (const auto valid = words.clean.validate(); !valid) return valid.error();
   return request;
@@ -111,7 +117,7 @@ int run(const Words& words, Console& console, const Task& task) {
   auto made = makeMesh(*cloud, *sights, *request, task.part(0.0, cleaning ? 0.6 : 1.0));
   if (!made) return console.fail(made.error());
   CleanOptions clean = words.clean;
-  clean.min_component_share = words.cut.min_component_share;
+  clean.min_component_share = leastShare(words);
   std::optional<CleanReport> cleaned;
   if (cleaning) {
     auto result = cleanMesh(made->mesh, clean, task.part(0.6, 1.0));

@@ -22,22 +22,28 @@ namespace {
 constexpr double kSpacingsPerAlpha = 0.8;
 constexpr double kHolePerimeterAlphas = 3.0;
 constexpr std::size_t kRaysPerPoint = 8;
-constexpr int kCrossed = 2;  // so many lines of sight through a facet are no accident
+constexpr std::uint32_t kPointsBetweenLooks = 1024;
+constexpr std::uint8_t kCrossed = 2;  // so many lines of sight through a facet are no accident
 constexpr double kToleranceSpacings = 1.0;  // so near to its point a line of sight says nothing
 
-using Crossings = std::vector<std::array<std::uint16_t, 4>>;  // of each cell's sides
+// Of each cell's sides, up to kCrossed.
+using Crossings = std::vector<std::array<std::uint8_t, 4>>;
 
-// How many lines of sight pass each side, in either direction.
+// How many lines of sight pass each side, in either direction; incomplete when stopped.
 Crossings crossingsOf(const Tetrahedra& tetrahedra, const SurfacePoints& points,
-                      const SightEvidence& sights) {
+                      const SightEvidence& sights, const Task& task) {
   Crossings crossings(tetrahedra.cells());
   const CellsAround around(tetrahedra);
+  const auto count = [&](std::uint32_t cell, std::size_t side) {
+    std::uint8_t& passed = crossings[cell][side];
+    if (passed < kCrossed) ++passed;
+  };
   for (std::uint32_t i = 0; i < points.cloud.points.size(); ++i) {
+    if (i % kPointsBetweenLooks == 0 && task.stopRequested()) return crossings;
     const Point& point = points.cloud.points[i];
-    const std::size_t stride = 1 + point.views.size() / kRaysPerPoint;
-    for (std::size_t view = 0; view < point.views.size(); view += stride) {
-      if (point.views[view] >= sights.camera_centres.size()) continue;
-      const Eigen::Vector3d offset = sights.camera_centres[point.views[view]] - point.position;
+    for (const std::uint32_t view :
+         spreadViews(point, sights.camera_centres.size(), kRaysPerPoint)) {
+      const Eigen::Vector3d offset = sights.camera_centres[view] - point.position;
       const Ray ray{point.position, offset.normalized()};
       const auto start = cellTowards(tetrahedra, around, i, ray.direction);
       if (!start) continue;
@@ -45,8 +51,8 @@ Crossings crossingsOf(const Tetrahedra& tetrahedra, const SurfacePoints& points,
                 [&](std::uint32_t cell, const CellExit& exit) {
                   if (exit.distance_mm < kToleranceSpacings * points.spacing_mm[i]) return;
                   const auto side = static_cast<std::size_t>(exit.side);
-                  ++crossings[cell][side];
-                  ++crossings[tetrahedra.neighbours[cell][side]][tetrahedra.mirrors[cell][side]];
+                  count(cell, side);
+                  count(tetrahedra.neighbours[cell][side], tetrahedra.mirrors[cell][side]);
                 });
     }
   }
@@ -63,7 +69,7 @@ Result<AlphaShapeMesh> adaptiveAlphaMesh(const PointCloud& cloud, const SightEvi
   auto tetrahedra = delaunay(positionsOf(points->cloud), task.part(0.3, 0.6));
   if (!tetrahedra) return tetrahedra.error();
   task.report(0.6, "Following lines of sight");
-  const Crossings crossings = crossingsOf(*tetrahedra, *points, sights);
+  const Crossings crossings = crossingsOf(*tetrahedra, *points, sights, task);
   if (task.stopRequested()) return cancelled();
 
   task.report(0.8, "Building the surface");

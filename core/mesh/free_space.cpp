@@ -75,18 +75,6 @@ void addQuality(const Tetrahedra& tetrahedra, double weight, CellGraph& graph) {
   }
 }
 
-// Up to `count` of the point's views, evenly spread over their list.
-std::vector<std::uint32_t> spreadViews(const Point& point, std::size_t known, std::size_t count) {
-  std::vector<std::uint32_t> views;
-  for (const std::uint32_t view : point.views) {
-    if (view < known) views.push_back(view);
-  }
-  if (views.size() <= count) return views;
-  std::vector<std::uint32_t> spread;
-  for (std::size_t i = 0; i < count; ++i) spread.push_back(views[i * views.size() / count]);
-  return spread;
-}
-
 class SightVotes {
  public:
   SightVotes(const Tetrahedra& tetrahedra, CellGraph& graph)
@@ -165,8 +153,7 @@ class SightVotes {
 };
 
 double toleranceOf(const Point& point, double spacing_mm) {
-  const double variance = std::max(0.0, point.normal.dot(point.covariance * point.normal));
-  return std::max(kToleranceShare * spacing_mm, kToleranceSigmas * std::sqrt(variance));
+  return std::max(kToleranceShare * spacing_mm, kToleranceSigmas * sigmaAlongNormal(point));
 }
 
 }  // namespace

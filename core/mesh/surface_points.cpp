@@ -40,10 +40,6 @@ bool lacksNormals(const PointCloud& cloud) {
                      [](const Point& point) { return point.normal.isZero(); });
 }
 
-double sigmaAlongNormal(const Point& point) {
-  return std::sqrt(std::max(0.0, point.normal.dot(point.covariance * point.normal)));
-}
-
 }  // namespace
 
 std::vector<Eigen::Vector3d> positionsOf(const PointCloud& cloud) {
@@ -89,6 +85,21 @@ Result<SurfacePoints> surfacePoints(const PointCloud& cloud, double spacing_mm, 
   if (even.cloud.points.size() < 4) return tooFew();
   even.spacing_mm = localSpacing(KdTree(positionsOf(even.cloud)));
   return even;
+}
+
+double sigmaAlongNormal(const Point& point) {
+  return std::sqrt(std::max(0.0, point.normal.dot(point.covariance * point.normal)));
+}
+
+std::vector<std::uint32_t> spreadViews(const Point& point, std::size_t known, std::size_t count) {
+  std::vector<std::uint32_t> views;
+  for (const std::uint32_t view : point.views) {
+    if (view < known) views.push_back(view);
+  }
+  if (views.size() <= count) return views;
+  std::vector<std::uint32_t> spread;
+  for (std::size_t i = 0; i < count; ++i) spread.push_back(views[i * views.size() / count]);
+  return spread;
 }
 
 MeshVertex vertexOf(const Point& point) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/base/result.h"
@@ -29,6 +31,13 @@ Result<PointCloud> settledCloud(const PointCloud& cloud, const Task& task);
 // denser than a sparse one, but no points lie so close that their noise would make folds.
 // spacing_mm: at least so far apart, 0 for what noise asks. Fails as settledCloud.
 Result<SurfacePoints> surfacePoints(const PointCloud& cloud, double spacing_mm, const Task& task);
+
+// Standard deviation of the point along its normal. [mm]
+double sigmaAlongNormal(const Point& point);
+
+// Up to `count` of the views that saw the point, of the first `known` ones, evenly spread over
+// their list.
+std::vector<std::uint32_t> spreadViews(const Point& point, std::size_t known, std::size_t count);
 
 // A mesh vertex at the point, with its colour, normal, sigma and number of views.
 MeshVertex vertexOf(const Point& point);
