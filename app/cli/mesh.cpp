@@ -1,9 +1,11 @@
 // gyre mesh: a surface through points that were measured before.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -22,6 +24,9 @@
 
 namespace gyre {
 namespace {
+
+constexpr std::array<std::string_view, 3> kHullWords = {"hull-cell", "hull-gap",
+                                                        "hull-disbelieved"};
 
 struct Words {
   std::string input;
@@ -123,6 +128,7 @@ void addMesh(CLI::App& app, Run& chosen) {
   command->add_option("--pictures", words->pictures,
                       "Folder of the scan's pictures: colours are taken from them");
   addOptionWords(*command, OptionList::of(words->cut), "Fine tuning");
+  addOptionWords(*command, OptionList::of(words->hull), kHullWords, "Fine tuning");
   addCleanWords(*command, words->clean);
   command->callback([&chosen, words] {
     chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };

@@ -90,7 +90,9 @@ Result<MadeMesh> bestSurface(const PointCloud& cloud, const std::optional<SightE
                              const Task& task) {
   const bool enough = cloud.points.size() >= kEnoughPoints;
   if (!enough && sights && !sights->outlines.empty()) {
-    auto hull = makeMesh(cloud, sights, {.method = MeshMethod::kSilhouette}, task);
+    MeshRequest request;
+    request.method = MeshMethod::kSilhouette;
+    auto hull = makeMesh(cloud, sights, request, task);
     if (hull || hull.error().code == Error::Code::kCancelled) return hull;
   }
   return makeMesh(cloud, sights, {}, task);

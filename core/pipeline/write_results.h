@@ -12,6 +12,7 @@
 #include "core/pipeline/reconstruction.h"
 #include "core/scan/calibration_record.h"
 #include "core/scan/mesh.h"
+#include "core/scan/mesh_method.h"
 #include "core/scan/scan.h"
 
 namespace gyre {
