@@ -19,6 +19,7 @@
 #include "core/io/visibility_file.h"
 #include "core/mesh/clean/clean_mesh.h"
 #include "core/pipeline/make_mesh.h"
+#include "core/pipeline/report_page.h"
 #include "core/pipeline/sights.h"
 
 namespace gyre {
@@ -106,6 +107,17 @@ bool wantsCleaning(const CleanOptions& clean) {
          clean.crop.z_max_mm != nothing.crop.z_max_mm;
 }
 
+// The report beside the points shows the folder's own mesh: it is written anew with that.
+Result<void> refreshPage(const Words& words) {
+  const fs::path folder = fs::absolute(words.out).parent_path();
+  std::error_code ignored;
+  const bool own =
+      fs::path(words.out).filename() == "mesh.ply" &&
+      fs::equivalent(folder, fs::absolute(pointsFile(words.input)).parent_path(), ignored);
+  if (!own || !fs::exists(folder / "report.json", ignored)) return {};
+  return writeReportPage(folder);
+}
+
 int run(const Words& words, Console& console, const Task& task) {
   const auto request = requestOf(words);
   if (!request) return console.wrongUse(request.error());
@@ -127,6 +139,7 @@ int run(const Words& words, Console& console, const Task& task) {
   }
   const auto written = writeModel(words.out, made->mesh, labelOfScan(words.input));
   if (!written) return console.fail(written.error());
+  if (const auto told = refreshPage(words); !told) return console.fail(told.error());
   tellMesh(console, *made, cleaned, movedAlongZ_mm(words.out, made->mesh));
   return kDone;
 }

@@ -90,7 +90,8 @@ void expectReprojects(const PosedPictures& posed, const std::string& lens) {
       ++count;
     }
     ASSERT_FALSE(point.track.empty());
-    EXPECT_NEAR(point.error, sum_px / static_cast<double>(point.track.size()), 1e-6);
+    // A rotation vector near half a turn holds six digits.
+    EXPECT_NEAR(point.error, sum_px / static_cast<double>(point.track.size()), 1e-5);
   }
   std::size_t seen = 0;
   for (const auto& [id, image] : model.images) seen += image.points.size();

@@ -131,7 +131,9 @@ TEST(CompareSurfaces, CountsDistancesInBins) {
   double all = 0.0;
   for (const ComparisonBin& bin : comparison->histogram) {
     all += bin.share;
-    if (bin.from_mm < 0.3 && bin.to_mm > 0.3 - 1e-9) EXPECT_NEAR(bin.share, 0.497, 1e-9);
+    if (bin.from_mm < 0.3 && bin.to_mm > 0.3 - 1e-9) {
+      EXPECT_NEAR(bin.share, 0.497, 1e-9);
+    }
   }
   EXPECT_NEAR(all, 1.0, 1e-12);
   EXPECT_NEAR(comparison->histogram.front().share, 0.498, 1e-9);
@@ -176,8 +178,9 @@ TEST(UnitDoubt, NamesTheUnitOfTheOtherShape) {
 TEST(CompareSurfaces, GivesTheSameNumbersAgain) {
   const Mesh a = test::sphereMesh(10.0, {0.1, 0, 0});
   const Mesh b = test::sphereMesh(10.0);
-  EXPECT_EQ(compareSurfaces(a, b, quick(), {})->mean_mm,
-            compareSurfaces(a, b, quick(), {})->mean_mm);
+  const CompareOptions options = quick();
+  EXPECT_EQ(compareSurfaces(a, b, options, {})->mean_mm,
+            compareSurfaces(a, b, options, {})->mean_mm);
 }
 
 TEST(CompareSurfaces, SaysWhatIsWrongWithTheInput) {
