@@ -134,9 +134,6 @@ void addScan(const ReportFacts& facts, Page& page) {
            withUnit(report.ray_distance_mm, unitOf(report)) + " (mean)");
   page.row("Bumps of camera and table", report.drift.sentence);
   if (report.turning) page.row("How the table turned", report.turning->sentence);
-  double seconds = 0.0;
-  for (const auto& [stage, spent] : report.seconds) seconds += spent;
-  if (seconds > 0.0) page.row("Computing took", withUnit(seconds, "s"));
   page.endTable();
 }
 

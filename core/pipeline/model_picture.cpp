@@ -28,8 +28,8 @@ constexpr double kAmbientOfFigures = 0.75;
 constexpr double kHatchWeight = 0.6;
 constexpr double kHatchShare = 0.012;  // of the picture's width: from stripe to stripe
 constexpr double kViewAngle_rad = 12.0 * kPi / 180.0;
-constexpr double kMargin = 1.04;  // of the box's radius
-constexpr int kDot_px = 2;        // radius, in a picture 1280 pixels wide
+constexpr double kMargin = 1.04;
+constexpr int kDot_px = 2;  // radius, in a picture 1280 pixels wide
 constexpr int kDotPictureWidth_px = 1280;
 
 cv::Vec3b shade(const Eigen::Vector3d& bgr, double light) {
@@ -132,11 +132,19 @@ ModelView viewOf(const Bounds& bounds, double azimuth_rad, double elevation_rad,
   ModelView view;
   CameraModel& camera = view.camera;
   camera.width_px = camera.height_px = size_px;
-  camera.fx = camera.fy = 0.5 * size_px / std::tan(0.5 * kViewAngle_rad);
   camera.cx = camera.cy = 0.5 * (size_px - 1);
-  const double radius_mm = std::max(1e-9, kMargin * 0.5 * bounds.diagonal());
+  const Eigen::Vector3d half = bounds.empty() ? Eigen::Vector3d(0.5, 0.5, 0.5)
+                                              : Eigen::Vector3d(0.5 * (bounds.max - bounds.min));
   const Eigen::Vector3d middle =
       bounds.empty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(0.5 * (bounds.min + bounds.max));
+  // Of the upright cylinder around the box, so that all azimuths have one scale.
+  const double radius_mm = std::max(1e-9, half.norm());
+  const double distance_mm = radius_mm / std::sin(0.5 * kViewAngle_rad);
+  const double across_mm = half.head<2>().norm();
+  const double tall_mm =
+      half.z() * std::abs(std::cos(elevation_rad)) + across_mm * std::abs(std::sin(elevation_rad));
+  const double extent_mm = std::max({1e-9, across_mm, tall_mm});
+  camera.fx = camera.fy = 0.5 * size_px * (distance_mm - radius_mm) / (kMargin * extent_mm);
   const double c = std::cos(elevation_rad);
   const Eigen::Vector3d outward(c * std::cos(azimuth_rad), c * std::sin(azimuth_rad),
                                 std::sin(elevation_rad));
@@ -145,7 +153,7 @@ ModelView viewOf(const Bounds& bounds, double azimuth_rad, double elevation_rad,
   rotation.row(0) = right;
   rotation.row(1) = right.cross(outward);  // down
   rotation.row(2) = -outward;
-  const Eigen::Vector3d eye = middle + radius_mm / std::sin(0.5 * kViewAngle_rad) * outward;
+  const Eigen::Vector3d eye = middle + distance_mm * outward;
   view.cam_from_table.translation = -(rotation * eye);
   return view;
 }

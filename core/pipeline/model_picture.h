@@ -26,8 +26,9 @@ struct ModelView {
   Rigid3 cam_from_table;
 };
 
-// A square picture that holds all of the box, z up, from afar: an angle of view of 12 degrees.
-// Azimuth 0 looks from +x, where a scan's camera stands at table angle 0; 90 degrees from +y.
+// A square picture that holds all of the box, z up, from ten times its radius; boxes of one size
+// have one scale from every azimuth. Azimuth 0 looks from +x, where a scan's camera stands at table
+// angle 0; 90 degrees from +y.
 ModelView viewOf(const Bounds& bounds, double azimuth_rad, double elevation_rad, int size_px);
 
 // The surface, lit from over the camera's left shoulder. 8 bit BGR, the camera's size, white where
