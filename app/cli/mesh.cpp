@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -21,6 +22,7 @@
 #include "core/mesh/clean/clean_mesh.h"
 #include "core/pipeline/colour_mesh.h"
 #include "core/pipeline/make_mesh.h"
+#include "core/pipeline/report_page.h"
 
 namespace gyre {
 namespace {
@@ -82,6 +84,17 @@ Result<void> colour(Mesh& mesh, const Words& words, MeshMethod method, const Mes
   return {};
 }
 
+// The report beside the points shows the folder's own mesh: it is written anew with that.
+Result<void> refreshPage(const Words& words, const std::filesystem::path& folder) {
+  const std::filesystem::path out = words.out;
+  std::error_code ignored;
+  const bool own = out.filename() == "mesh.ply" &&
+                   std::filesystem::equivalent(std::filesystem::absolute(out).parent_path(),
+                                               std::filesystem::absolute(folder), ignored);
+  if (!own || !std::filesystem::exists(folder / "report.json", ignored)) return {};
+  return writeReportPage(folder);
+}
+
 int run(const Words& words, Console& console, const Task& task) {
   const auto request = requestOf(words);
   if (!request) return console.wrongUse(request.error());
@@ -103,6 +116,7 @@ int run(const Words& words, Console& console, const Task& task) {
   if (!coloured) return console.fail(coloured.error());
   const auto written = writeModel(words.out, made->mesh, labelOfScan(words.input));
   if (!written) return console.fail(written.error());
+  if (const auto told = refreshPage(words, input->folder); !told) return console.fail(told.error());
   tellMesh(console, *made, cleaned, movedAlongZ_mm(words.out, made->mesh));
   return kDone;
 }
