@@ -223,13 +223,22 @@ TableSearch findTable(const PortOpener& open, const std::vector<int>& bauds, dou
 
 TableSearch findTable(std::string_view firmware, const PortOpener& open,
                       const std::vector<int>& bauds, double greeting_s, const Task& task) {
-  TableSearch search;
+  const DriverMaker make = [firmware](std::unique_ptr<BytePort> port) {
+    return makeTableDriver(firmware, std::move(port));
+  };
+  TableSearch search = findTable(make, open, bauds, greeting_s, task);
   search.firmware = firmware;
+  return search;
+}
+
+TableSearch findTable(const DriverMaker& make, const PortOpener& open,
+                      const std::vector<int>& bauds, double greeting_s, const Task& task) {
+  TableSearch search;
   for (const int baud : bauds) {
     Result<std::unique_ptr<BytePort>> port = open(baud);
     search.error = port ? std::nullopt : std::optional(port.error());
     if (!port) return search;
-    search.driver = makeTableDriver(firmware, *std::move(port));
+    search.driver = make(*std::move(port));
     search.baud = baud;
     const Result<void> known =
         search.driver->identify(greeting_s, [&] { return task.stopRequested(); });

@@ -13,16 +13,9 @@
 #include "core/base/task.h"
 #include "core/device/byte_port.h"
 #include "core/device/table_driver.h"
+#include "core/scan/port_diagnosis.h"
 
 namespace gyre {
-
-// What was heard at one speed of the port after one question; nothing after most of them.
-struct TableAnswer {
-  int baud = 0;          // 0 where the port has no speed
-  std::string asked;     // printable; "(nothing)" for what came by itself
-  std::string heard;     // printable, anything else as dots
-  bool legible = false;  // most of it is text: the speed is right
-};
 
 struct TableSearch {
   std::unique_ptr<TableDriver> driver;  // identified; null when no known firmware answers
@@ -52,7 +45,13 @@ std::string firmwareIn(std::string_view heard);
 TableSearch findTable(const PortOpener& open, const std::vector<int>& bauds, double greeting_s,
                       const Task& task);
 
-// The same for one firmware that is named.
+// A driver over a port.
+using DriverMaker = std::function<std::unique_ptr<TableDriver>(std::unique_ptr<BytePort> port)>;
+
+// The same for one firmware that is known by other means.
+TableSearch findTable(const DriverMaker& make, const PortOpener& open,
+                      const std::vector<int>& bauds, double greeting_s, const Task& task);
+// The same for one that is named by its word.
 TableSearch findTable(std::string_view firmware, const PortOpener& open,
                       const std::vector<int>& bauds, double greeting_s, const Task& task);
 
