@@ -53,7 +53,7 @@ Result<std::unique_ptr<Turntable>> openReal(const TurntableWord& word, Turntable
     return std::unique_ptr<Turntable>(std::move(table).value());
   }
   if (options.device_id.empty() && !word.isNetwork()) options.device_id = stablePathOf(word.port);
-  TableSearch search = searchAtPort(word, options.greeting_s, task);
+  TableSearch search = searchAtPort(word, options.greeting_s, task.part(0.0, 0.05));
   if (!search.driver) return *search.error;
   auto table = ProtocolTurntable::adopt(std::move(search.driver), options, task);
   if (!table) return table.error();
