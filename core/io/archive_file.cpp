@@ -4,6 +4,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <fcntl.h>
+#include <locale.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -25,6 +26,25 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kPiece_bytes = std::size_t{16} << 10;
 constexpr int kRights = 0644;
+
+// Names are UTF-8 here whatever the user's country: the library asks this thread's locale.
+class Utf8Names {
+ public:
+  Utf8Names()
+      : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)),
+        before_(utf8_ != nullptr ? uselocale(utf8_) : nullptr) {}
+  Utf8Names(const Utf8Names&) = delete;
+  Utf8Names& operator=(const Utf8Names&) = delete;
+  ~Utf8Names() {
+    if (utf8_ == nullptr) return;
+    uselocale(before_);
+    freelocale(utf8_);
+  }
+
+ private:
+  locale_t utf8_;
+  locale_t before_;
+};
 
 }  // namespace
 
@@ -75,10 +95,12 @@ Result<ArchiveFile> ArchiveFile::create(const fs::path& file) {
     state->beside.clear();
     return fileError(problem, "write", file);
   }
+  const Utf8Names utf8;
   state->pack = archive_write_new();
   int done = ARCHIVE_OK;
   if (zip) {
     done = archive_write_set_format_zip(state->pack);
+    archive_write_set_options(state->pack, "zip:hdrcharset=UTF-8");
   } else {
     archive_write_add_filter_gzip(state->pack);
     done = archive_write_set_format_pax_restricted(state->pack);
@@ -91,8 +113,8 @@ Result<ArchiveFile> ArchiveFile::create(const fs::path& file) {
 
 Result<void> ArchiveFile::begin(const std::string& name, std::uintmax_t bytes) {
   archive_entry* entry = archive_entry_new();
-  // In UTF-8 whatever the locale: a pathname of this locale may not hold every letter.
-  archive_entry_set_pathname_utf8(entry, name.c_str());
+  const Utf8Names utf8;
+  archive_entry_set_pathname(entry, name.c_str());
   archive_entry_set_size(entry, static_cast<la_int64_t>(bytes));
   archive_entry_set_filetype(entry, AE_IFREG);
   archive_entry_set_perm(entry, kRights);

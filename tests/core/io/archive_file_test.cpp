@@ -4,6 +4,7 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <locale.h>
 
 #include <map>
 #include <string>
@@ -22,6 +23,7 @@ using testing::Pair;
 
 // Name and content of every entry, read back by the library's own reader.
 std::map<std::string, std::string> entriesOf(const std::filesystem::path& file) {
+  setlocale(LC_CTYPE, "C.UTF-8");
   std::map<std::string, std::string> entries;
   archive* pack = archive_read_new();
   archive_read_support_format_all(pack);
@@ -29,7 +31,9 @@ std::map<std::string, std::string> entriesOf(const std::filesystem::path& file) 
   EXPECT_EQ(archive_read_open_filename(pack, file.c_str(), 4096), ARCHIVE_OK);
   archive_entry* entry = nullptr;
   while (archive_read_next_header(pack, &entry) == ARCHIVE_OK) {
-    std::string& bytes = entries[archive_entry_pathname_utf8(entry)];
+    const char* name = archive_entry_pathname_utf8(entry);
+    EXPECT_NE(name, nullptr);
+    std::string& bytes = entries[name != nullptr ? name : "(none)"];
     char buffer[1000];
     la_ssize_t count = 0;
     while ((count = archive_read_data(pack, buffer, sizeof(buffer))) > 0) {
@@ -37,6 +41,7 @@ std::map<std::string, std::string> entriesOf(const std::filesystem::path& file) 
     }
   }
   archive_read_free(pack);
+  setlocale(LC_CTYPE, "C");
   return entries;
 }
 
