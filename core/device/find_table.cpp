@@ -124,6 +124,11 @@ Error nobody(const std::string& port, const std::vector<TableAnswer>& answers) {
           "Check that the board has power and that this is its port."};
 }
 
+// An adapter that knows no such speed says so when it is set; the usual ones were tried before.
+bool cannotGoSoFast(const Error& error, const TableSearch& so_far) {
+  return error.code == Error::Code::kIo && so_far.error.has_value();
+}
+
 // Asks until somebody answers; empty when nobody known does.
 Result<std::string> askAll(Listener& listener, double greeting_s,
                            std::vector<TableAnswer>& answers) {
@@ -190,6 +195,7 @@ TableSearch findTable(const PortOpener& open, const std::vector<int>& bauds, dou
   for (std::size_t i = 0; i < bauds.size(); ++i) {
     task.report(static_cast<double>(i) / static_cast<double>(bauds.size()), "Asking who is there");
     Result<std::unique_ptr<BytePort>> port = open(bauds[i]);
+    if (!port && cannotGoSoFast(port.error(), search)) continue;
     search.error = port ? std::nullopt : std::optional(port.error());
     if (!port) return search;
     const std::string name = (*port)->name();
@@ -236,6 +242,7 @@ TableSearch findTable(const DriverMaker& make, const PortOpener& open,
   TableSearch search;
   for (const int baud : bauds) {
     Result<std::unique_ptr<BytePort>> port = open(baud);
+    if (!port && cannotGoSoFast(port.error(), search)) continue;
     search.error = port ? std::nullopt : std::optional(port.error());
     if (!port) return search;
     search.driver = make(*std::move(port));

@@ -56,7 +56,7 @@ Result<void> HandTurntable::moveTo(double angle_rad, const Task& task) {
   HandTurn turn;
   turn.ticks = target - ticks_;
   turn.tick_deg = 360.0 / info_.steps_per_turn;
-  const double turns = static_cast<double>(target) / info_.steps_per_turn;
+  const double turns = static_cast<double>(target - origin_ticks_) / info_.steps_per_turn;
   turn.to_deg = (turns - std::floor(turns)) * 360.0;
   if (const Result<void> turned = ask_(turn, task); !turned) return turned;
   if (stop_requested_) return cancelled();
