@@ -18,7 +18,7 @@ namespace gyre {
 // What the person is asked for. Angles are positive counter-clockwise, seen from above.
 struct HandTurn {
   std::int64_t ticks = 0;  // by so many marks; negative: clockwise
-  double to_deg = 0.0;     // the mark on which the table shall stand then, in [0, 360)
+  double to_deg = 0.0;     // the angle at which the table shall stand then, in [0, 360)
   double tick_deg = 0.0;   // between two marks
 };
 
@@ -30,7 +30,7 @@ using AskPerson = std::function<Result<void>(const HandTurn& turn, const Task& t
 // are rounded to marks. The table is never let go of: nothing holds it but the person.
 class HandTurntable final : public Turntable {
  public:
-  // The table stands on the mark 0. Fails when the options are no good or nobody can be asked.
+  // The table stands at the angle 0. Fails when the options are no good or nobody can be asked.
   static Result<std::unique_ptr<HandTurntable>> open(const TurntableOptions& options,
                                                      AskPerson ask);
 
@@ -51,7 +51,7 @@ class HandTurntable final : public Turntable {
 
   AskPerson ask_;
   TurntableInfo info_;
-  std::int64_t ticks_ = 0;  // from the mark 0
+  std::int64_t ticks_ = 0;  // from where it stood at first
   std::int64_t origin_ticks_ = 0;
   std::atomic<bool> stop_requested_ = false;
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -153,6 +154,20 @@ TEST(FindTable, PortThatMayNotBeOpenedEndsTheSearch) {
   ASSERT_TRUE(search.error);
   EXPECT_EQ(search.error->code, Code::kNoPermission);
   EXPECT_EQ(opened, 1);
+}
+
+TEST(FindTable, AdapterThatKnowsNoSuchSpeedIsAskedAtTheOthers) {
+  test::SteppedRoom room(std::make_unique<ParrotBoard>(""));
+  std::vector<int> opened;
+  const PortOpener open = [&](int baud) -> Result<std::unique_ptr<BytePort>> {
+    opened.push_back(baud);
+    if (baud == 250000) return Error{Code::kIo, "No such speed.", ""};
+    return room.openPort("the wire");
+  };
+  const TableSearch search = findTable(open, {115200, 250000, 9600}, 1.0, Task());
+  ASSERT_TRUE(search.error);
+  EXPECT_EQ(search.error->code, Code::kTimeout);
+  EXPECT_EQ(opened, (std::vector<int>{115200, 250000, 9600}));
 }
 
 TEST(FindTable, CancelEndsItAtOnce) {

@@ -88,7 +88,7 @@ TEST(HandTurntable, PlacesAndAnglesAreCountedAnewTogether) {
   ASSERT_TRUE(table->setAngle(0.0));
   EXPECT_NEAR(table->angleAt(place).value(), 0.0, 1e-12);
   ASSERT_TRUE(table->moveTo(radFromDeg(20.0), Task()));
-  EXPECT_DOUBLE_EQ(person.asked.back().to_deg, 70.0);
+  EXPECT_DOUBLE_EQ(person.asked.back().to_deg, 20.0);
   EXPECT_NEAR(table->angleAt(place).value(), 0.0, 1e-12);
 }
 
