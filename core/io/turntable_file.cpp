@@ -21,6 +21,7 @@ using Unit = TurntableDescription::Unit;
 
 constexpr std::uintmax_t kMaxBytes = 64U << 10U;
 constexpr std::size_t kLongestText = 200;
+constexpr std::size_t kLongestKeyTold = 40;
 constexpr double kMostUnits = 1e8;
 constexpr int kMostDecimals = 4;
 // No table needs these, and on a mill or a printer they move or heat what should rest.
@@ -44,7 +45,9 @@ class FieldReader {
   void knowOnly(const json& object, std::initializer_list<const char*> keys) {
     for (const auto& [key, value] : object.items()) {
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-        fail("has the key \"" + key + "\", which means nothing here");
+        const bool short_enough = key.size() <= kLongestKeyTold;
+        fail((short_enough ? "has the key \"" + key + "\"" : "has a very long key") +
+             ", which means nothing here");
       }
     }
   }
