@@ -56,9 +56,9 @@ std::filesystem::path wireLogFile(const std::string& port) {
   std::string name;
   for (const char c : port) {
     const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    name += plain || c == '.' || c == '-' ? c : '_';
+    name += plain || c == '.' ? c : '-';
   }
-  return cacheFolder() / ("wire" + name + ".log");
+  return cacheFolder() / ("wire" + std::string(name.starts_with('-') ? "" : "-") + name + ".log");
 }
 
 TableSearch searchAtPort(const TurntableWord& word, double greeting_s, const Task& task) {

@@ -77,8 +77,9 @@ void tellCameras(Console& console, const std::vector<CameraDeviceInfo>& cameras)
 void tellDiagnosis(Console& console, const PortDiagnosis& diagnosis) {
   console.say(diagnosis.what);
   if (diagnosis.steps_per_turn > 0.0) {
-    console.say(
-        formatted("    %.6g steps a turn, %d baud", diagnosis.steps_per_turn, diagnosis.baud));
+    const std::string speed =
+        diagnosis.baud > 0 ? ", " + std::to_string(diagnosis.baud) + " baud" : "";
+    console.say(formatted("    %.6g steps a turn", diagnosis.steps_per_turn) + speed);
   }
   if (!diagnosis.advice.empty()) console.say("    " + diagnosis.advice);
   for (const std::string& hindrance : diagnosis.hindrances) console.say("    " + hindrance);

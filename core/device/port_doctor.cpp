@@ -239,10 +239,10 @@ PortDiagnosis diagnoseSearch(const std::string& port, const TableSearch& search,
   diagnosis.firmware = info->firmware;
   diagnosis.steps_per_turn = info->steps_per_turn;
   diagnosis.hindrances = info->hindrances;
-  diagnosis.what = port + " is a turntable with " + info->firmware + ".";
+  diagnosis.what = port + " is a turntable: " + info->firmware + ".";
   if (!info->hindrances.empty()) {
     diagnosis.state = PortState::kHindered;
-    diagnosis.advice = "Nothing was changed: mend what hinders it, below, in a serial terminal.";
+    diagnosis.advice = "Nothing was changed; what hinders it follows, with its cure.";
   }
   return diagnosis;
 }

@@ -52,8 +52,9 @@ TEST_F(BundleTest, TellsEverythingAndShowsNothing) {
   EXPECT_EQ(bundled->files, 6U);
   EXPECT_EQ(bundled->pictures, 0U);
   const std::string list = listOf(folder_ / "a.tar.gz");
-  for (const char* name : {"cup/cup.gyre", "cup/journal.jsonl", "cup/calibration.json",
-                           "cup/versions.json", "cup/devices.json", "cup/wire/wire"}) {
+  for (const char* name :
+       {"cup/cup.gyre", "cup/journal.jsonl", "cup/calibration.json", "cup/versions.json",
+        "cup/devices.json", "cup/wire/wire-dev-ttyUSB7.log"}) {
     EXPECT_THAT(list, HasSubstr(name));
   }
   EXPECT_THAT(list, Not(HasSubstr("png")));

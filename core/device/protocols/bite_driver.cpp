@@ -265,6 +265,15 @@ Result<void> BiteDriver::awaitDone(const std::string& line, double timeout_s,
   return silence(link_.name());
 }
 
+Result<void> BiteDriver::listen(double seconds, const Interrupted& interrupted) {
+  const double end_s = link_.now() + seconds;
+  while (link_.now() < end_s) {
+    if (interrupted && interrupted()) return cancelled();
+    if (const auto heard = hear(kSlice_s); !heard) return heard.error();
+  }
+  return {};
+}
+
 Result<std::string> BiteDriver::ask(const std::string& line, const IsAnswer& is_answer,
                                     double timeout_s, const Interrupted& interrupted) {
   for (int i = 0; i < kTries; ++i) {

@@ -82,6 +82,8 @@ class BiteDriver : public TableDriver {
   // Asks up to three times, until an answer comes; kTimeout when none does.
   Result<std::string> ask(const std::string& line, const IsAnswer& is_answer, double timeout_s,
                           const Interrupted& interrupted);
+  // Takes in what is said meanwhile.
+  Result<void> listen(double seconds, const Interrupted& interrupted);
   // How a line goes onto the wire: with a number and a sum where the firmware checks them.
   virtual std::string wrapped(const std::string& line) { return line; }
   double biteDeadline_s(std::int64_t steps) const;

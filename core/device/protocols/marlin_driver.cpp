@@ -12,6 +12,7 @@ namespace {
 constexpr double kQuestion_s = 3.0;
 // A board that is busy says so every two seconds (M113).
 constexpr double kAnswer_s = 3.0;
+constexpr double kLookAgain_s = 0.3;                  // in which a machine at work has moved
 constexpr double kFarthest_steps = 0.25 * (1 << 23);  // float32 positions
 // Steps per unit are told with two decimals: within what that hides, a whole number a turn is
 // meant, and the motor's count may differ by a step or two from ours after several turns.
@@ -76,6 +77,7 @@ Result<void> MarlinDriver::introduce(const std::string&, const Interrupted& inte
       name->substr(begin, std::min(name->find(" (", begin), name->find(" SOURCE", begin)) - begin);
   const Result<std::string> first = report(interrupted);
   if (!first) return first.error();
+  if (const Result<void> waited = listen(kLookAgain_s, interrupted); !waited) return waited;
   const Result<std::string> second = report(interrupted);
   if (!second) return second.error();
   if (*first != *second) {

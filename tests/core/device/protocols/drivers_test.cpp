@@ -146,6 +146,20 @@ class ScriptedBoard final : public FirmwareBoard {
   std::string output_;
 };
 
+TEST(MarlinDriver, PrinterAtWorkIsLeftAlone) {
+  std::vector<std::string> lines;
+  int count = 0;
+  test::SteppedRoom room(std::make_unique<ScriptedBoard>(lines, [&](const std::string& line) {
+    if (line == "M115") return std::string("FIRMWARE_NAME:Marlin 2.1.2 (x)\r\nok\r\n");
+    return "X:1.00 Y:0.00 Count X:" + std::to_string(++count) + " Y:0\r\nok\r\n";
+  }));
+  const auto table = ProtocolTurntable::open(
+      std::make_unique<MarlinDriver>(room.openPort("the wire")), {}, Task());
+  ASSERT_FALSE(table);
+  EXPECT_EQ(table.error().code, Code::kBusy);
+  EXPECT_THAT(lines, ElementsAre("M115", "M114", "M114"));
+}
+
 TEST(DescribedDriver, PlacesInDegreesAreToldInTheTablesOwnDirection) {
   std::vector<std::string> lines;
   test::SteppedRoom room(std::make_unique<ScriptedBoard>(lines, [](const std::string& line) {
