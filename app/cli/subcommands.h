@@ -17,6 +17,7 @@ namespace gyre {
 using Run = std::function<int(Console& console, const Task& task)>;
 
 // Each adds one subcommand to app; when the words name it, `chosen` becomes what to run.
+void addBundle(CLI::App& app, Run& chosen);
 void addCalibrate(CLI::App& app, Run& chosen);
 void addCompare(CLI::App& app, Run& chosen);
 void addDemo(CLI::App& app, Run& chosen);
