@@ -13,7 +13,7 @@
 #include "app/rig.h"
 #include "app/scan_run.h"
 #include "core/base/clock.h"
-#include "core/device/folder_camera.h"
+#include "core/device/recorded_camera.h"
 #include "core/io/scan_store.h"
 #include "core/pipeline/find_view.h"
 #include "core/sim/rig_json.h"
@@ -38,8 +38,8 @@ Error standsElsewhere() {
 Result<void> findAngle(Rig& rig, const ScanStore& store, const Task& task) {
   if (store.views().empty()) return rig.turntable->setAngle(store.settings().start_angle_rad);
   // A folder's pictures are those of the views: the last captured one is where it stands.
-  if (auto* folder = dynamic_cast<FolderCamera*>(rig.camera.get())) {
-    folder->goTo(store.views().size() - 1);
+  if (auto* recorded = dynamic_cast<RecordedCamera*>(rig.camera.get())) {
+    recorded->goTo(store.views().size() - 1);
   }
   const auto picture = rig.camera->grabAfter(steadySeconds(), task);
   if (!picture) return picture.error();
