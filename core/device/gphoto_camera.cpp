@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device/gphoto_camera.h"
 
+#include <pthread.h>
+
 #include <chrono>
-#include <condition_variable>
 #include <cmath>
+#include <condition_variable>
+#include <csignal>
 #include <deque>
 #include <functional>
 #include <future>
@@ -19,14 +22,92 @@ namespace gyre {
 namespace {
 
 constexpr std::chrono::milliseconds kSlice{50};
+// How long the camera's end waits for the call in flight, before it is left to itself.
+constexpr std::chrono::seconds kFarewell{3};
+
+// libgphoto2 writes to connections that are gone; the signal of it would end the program.
+void blockBrokenPipes() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGPIPE);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+Error late(double seconds) {
+  return {Error::Code::kTimeout,
+          "The camera did not answer for " + std::to_string(std::lround(seconds)) + " seconds.",
+          "Look at its display: is it on, awake and not in a menu, does it find its focus, has it a "
+          "card with space? Then try again."};
+}
+
+// A thread of its own for a camera. Some calls of libgphoto2 never come back: such a thread is left
+// to itself with all that it uses, and ends should the call end after all.
+class Worker {
+ public:
+  explicit Worker(std::unique_ptr<GphotoLink> link) : link_(std::move(link)) {}
+
+  static std::shared_ptr<Worker> start(std::unique_ptr<GphotoLink> link) {
+    auto worker = std::make_shared<Worker>(std::move(link));
+    std::thread([worker] { worker->run(); }).detach();
+    return worker;
+  }
+
+  void add(std::function<void(GphotoLink&)> call) {
+    const std::scoped_lock lock(mutex_);
+    calls_.push_back(std::move(call));
+    changed_.notify_all();
+  }
+
+  // What waits is dropped; the call in flight is asked to give up.
+  void end() {
+    const std::scoped_lock lock(mutex_);
+    ending_ = true;
+    calls_.clear();
+    if (link_) link_->giveUp();
+    changed_.notify_all();
+  }
+
+  void awaitEnd() {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, kFarewell, [this] { return link_ == nullptr; });
+  }
+
+ private:
+  void run() {
+    blockBrokenPipes();
+    std::unique_lock lock(mutex_);
+    while (true) {
+      changed_.wait(lock, [this] { return ending_ || !calls_.empty(); });
+      if (ending_) break;
+      const auto call = std::exchange(calls_.front(), nullptr);
+      calls_.pop_front();
+      lock.unlock();
+      call(*link_);
+      lock.lock();
+    }
+    lock.unlock();
+    link_->close();  // in its own thread
+    lock.lock();
+    link_ = nullptr;
+    changed_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::function<void(GphotoLink&)>> calls_;
+  std::unique_ptr<GphotoLink> link_;  // null when the thread has ended
+  bool ending_ = false;
+};
 
 class GphotoCamera final : public Camera {
  public:
-  GphotoCamera(std::unique_ptr<GphotoLink> link, const GphotoOptions& options)
-      : options_(options), link_(std::move(link)) {
-    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  GphotoCamera(std::string word, const GphotoOptions& options)
+      : word_(std::move(word)), options_(options) {}
+  ~GphotoCamera() override {
+    if (!worker_) return;
+    worker_->end();
+    worker_->awaitEnd();
   }
-  ~GphotoCamera() override { link_->giveUp(); }
   GphotoCamera(const GphotoCamera&) = delete;
   GphotoCamera& operator=(const GphotoCamera&) = delete;
 
@@ -42,66 +123,64 @@ class GphotoCamera final : public Camera {
 
  private:
   struct Shot {
-    Result<cv::Mat> picture;
+    cv::Mat image_bgr;
     double began_s;
   };
 
   // Runs the call in the camera's thread and waits for what it gives.
   template <class Value>
-  Result<Value> inThread(std::function<Result<Value>()> call, double timeout_s, const Task& task);
+  Result<Value> inThread(std::function<Result<Value>(GphotoLink&)> call, double timeout_s,
+                         const Task& task);
+  Result<std::shared_ptr<Worker>> worker();
+  void abandon(const std::shared_ptr<Worker>& worker);
   Result<CameraInfo> told(GphotoLink::Controls what);
-  void run(const std::stop_token& stop);
 
+  const std::string word_;
   const GphotoOptions options_;
-  std::unique_ptr<GphotoLink> link_;  // of the thread
   mutable std::mutex mutex_;
-  std::condition_variable_any changed_;
-  std::deque<std::function<void()>> calls_;
+  std::shared_ptr<Worker> worker_;
   CameraInfo info_;
   FramePtr present_;
-  std::jthread thread_;  // last: it must stop before the rest goes
 };
 
-Error late(double seconds) {
-  return {Error::Code::kTimeout,
-          "The camera did not answer for " + std::to_string(std::lround(seconds)) + " seconds.",
-          "Look at its display: is it on, awake and not in a menu? Then try again."};
+Result<std::shared_ptr<Worker>> GphotoCamera::worker() {
+  const std::scoped_lock lock(mutex_);
+  if (worker_) return worker_;
+  auto link = GphotoLink::forWord(word_);
+  if (!link) return link.error();
+  worker_ = Worker::start(std::move(link).value());
+  return worker_;
 }
 
-void GphotoCamera::run(const std::stop_token& stop) {
-  while (true) {
-    std::function<void()> call;
-    {
-      std::unique_lock lock(mutex_);
-      if (!changed_.wait(lock, stop, [this] { return !calls_.empty(); })) return;
-      call = std::move(calls_.front());
-      calls_.pop_front();
-    }
-    call();
-  }
+void GphotoCamera::abandon(const std::shared_ptr<Worker>& worker) {
+  worker->end();
+  const std::scoped_lock lock(mutex_);
+  if (worker_ == worker) worker_ = nullptr;
 }
 
 template <class Value>
-Result<Value> GphotoCamera::inThread(std::function<Result<Value>()> call, double timeout_s,
-                                     const Task& task) {
+Result<Value> GphotoCamera::inThread(std::function<Result<Value>(GphotoLink&)> call,
+                                     double timeout_s, const Task& task) {
+  const auto at_work = worker();
+  if (!at_work) return at_work.error();
   // The thread may come to it when nobody waits any more: whoever holds it last frees it.
-  auto work = std::make_shared<std::packaged_task<Result<Value>()>>(std::move(call));
+  auto work = std::make_shared<std::packaged_task<Result<Value>(GphotoLink&)>>(std::move(call));
   auto answer = work->get_future();
-  {
-    const std::scoped_lock lock(mutex_);
-    calls_.emplace_back([work] { (*work)(); });
-  }
-  changed_.notify_all();
+  (*at_work)->add([work](GphotoLink& link) { (*work)(link); });
   const double deadline_s = steadySeconds() + timeout_s;
   while (answer.wait_for(kSlice) != std::future_status::ready) {
     if (task.stopRequested()) return cancelled();
-    if (steadySeconds() > deadline_s) return late(timeout_s);
+    if (steadySeconds() > deadline_s) {
+      abandon(*at_work);
+      return late(timeout_s);
+    }
   }
   return answer.get();
 }
 
 Result<void> GphotoCamera::open() {
-  auto info = inThread<CameraInfo>([this] { return link_->open(); }, options_.open_timeout_s, {});
+  auto info = inThread<CameraInfo>([](GphotoLink& link) { return link.open(); },
+                                   options_.open_timeout_s, {});
   if (!info) return info.error();
   const std::scoped_lock lock(mutex_);
   info_ = std::move(info).value();
@@ -116,16 +195,17 @@ Result<FramePtr> GphotoCamera::grabAfter(double time_s, const Task& task) {
   const double wait_s = time_s - steadySeconds();
   if (wait_s > 0.0 && !task.sleepFor(wait_s)) return cancelled();
   auto shot = inThread<Shot>(
-      [this]() -> Result<Shot> {
+      [](GphotoLink& link) -> Result<Shot> {
         const double began_s = steadySeconds();
-        return Shot{link_->shoot(), began_s};
+        auto image_bgr = link.shoot();
+        if (!image_bgr) return image_bgr.error();
+        return Shot{std::move(image_bgr).value(), began_s};
       },
       options_.shot_timeout_s, task);
   if (!shot) return shot.error();
-  if (!shot->picture) return shot->picture.error();
   Frame frame;
   frame.time_s = shot->began_s;
-  frame.image_bgr = shot->picture.value();
+  frame.image_bgr = shot->image_bgr;
   const std::scoped_lock lock(mutex_);
   info_.width_px = frame.image_bgr.cols;
   info_.height_px = frame.image_bgr.rows;
@@ -134,8 +214,8 @@ Result<FramePtr> GphotoCamera::grabAfter(double time_s, const Task& task) {
 }
 
 Result<FramePtr> GphotoCamera::preview(const Task& task) {
-  auto picture =
-      inThread<cv::Mat>([this] { return link_->preview(); }, options_.shot_timeout_s, task);
+  auto picture = inThread<cv::Mat>([](GphotoLink& link) { return link.preview(); },
+                                   options_.shot_timeout_s, task);
   if (!picture) return picture.error();
   Frame frame;
   frame.time_s = steadySeconds();
@@ -145,7 +225,7 @@ Result<FramePtr> GphotoCamera::preview(const Task& task) {
 
 Result<CameraInfo> GphotoCamera::told(GphotoLink::Controls what) {
   auto controls = inThread<std::vector<ControlState>>(
-      [this, what] { return link_->controls(what); }, options_.open_timeout_s, {});
+      [what](GphotoLink& link) { return link.controls(what); }, options_.open_timeout_s, {});
   if (!controls) return controls.error();
   const std::scoped_lock lock(mutex_);
   info_.controls = std::move(controls).value();
@@ -160,9 +240,7 @@ bool namesGphoto(const std::string& camera) {
 
 Result<std::unique_ptr<Camera>> openGphotoCamera(const std::string& camera,
                                                  const GphotoOptions& options) {
-  auto link = GphotoLink::forWord(camera);
-  if (!link) return link.error();
-  auto opened = std::make_unique<GphotoCamera>(std::move(link).value(), options);
+  auto opened = std::make_unique<GphotoCamera>(camera, options);
   if (const auto answered = opened->open(); !answered) return answered.error();
   return std::unique_ptr<Camera>(std::move(opened));
 }

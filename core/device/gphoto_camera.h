@@ -10,8 +10,9 @@
 namespace gyre {
 
 struct GphotoOptions {
-  // The longest that a picture may take from the shutter to here. [s], > 0
-  double shot_timeout_s = 30.0;
+  // The longest that a picture may take from the shutter to here: long exposures, and a
+  // library that waits long for a camera that finds no focus. [s], > 0
+  double shot_timeout_s = 45.0;
   double open_timeout_s = 20.0;
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device/gphoto_link.h"
 
+#include <fcntl.h>
 #include <gphoto2/gphoto2.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -201,6 +203,15 @@ std::string networkPort(const std::string& word) {
   return "ptpip:" + host + ":" + port + ":" + port;
 }
 
+// A connection that libgphoto2 2.5.30 fails to make ends with a close() of descriptor 0 that it
+// never opened. Were the place left free, the next file of the program would get it, and the next
+// failure would close that file.
+void refillStandardInput() {
+  if (::fcntl(STDIN_FILENO, F_GETFD) != -1) return;
+  const int lowest_free = ::open("/dev/null", O_RDONLY);
+  if (lowest_free > STDIN_FILENO) ::close(lowest_free);  // somebody was faster
+}
+
 bool isLost(int code) {
   return code <= GP_ERROR_IO || code == GP_ERROR_TIMEOUT;  // all I/O codes lie below GP_ERROR_IO
 }
@@ -238,6 +249,7 @@ void GphotoLink::close() {
   gp_camera_exit(library_->camera, library_->context);
   gp_camera_unref(library_->camera);
   library_->camera = nullptr;
+  refillStandardInput();
 }
 
 Error GphotoLink::failed(int code, const std::string& doing) {
@@ -255,6 +267,7 @@ Error GphotoLink::failed(int code, const std::string& doing) {
   if (code == GP_ERROR_NOT_SUPPORTED) {
     return {Error::Code::kRejected, what, "Set the camera to remote or PTP mode."};
   }
+  if (code == GP_ERROR) close();  // what a network camera's lost connection ends in, too
   if (!isLost(code)) return {Error::Code::kIo, what, "Look at the camera's own display."};
   close();
   return {Error::Code::kGone, what,
@@ -278,6 +291,7 @@ Result<void> GphotoLink::ensureOpen() {
   if (code >= GP_OK) code = setModel(library_->camera, found.model, library_->context);
   if (code >= GP_OK) code = setPort(library_->camera, found.port);
   if (code >= GP_OK) code = gp_camera_init(library_->camera, library_->context);
+  refillStandardInput();
   if (code >= GP_OK) {
     library_->model = found.model;
     const auto model = library_->value({"model", {"cameramodel", "model", nullptr}});

@@ -37,6 +37,8 @@ class GphotoLink {
   enum class Controls { kRead, kLock };
   Result<std::vector<ControlState>> controls(Controls what);
 
+  void close();
+
   void giveUp() { giving_up_ = true; }
 
  private:
@@ -45,7 +47,6 @@ class GphotoLink {
   explicit GphotoLink(std::string word);
 
   Result<void> ensureOpen();
-  void close();
   Error failed(int code, const std::string& doing);
 
   const std::string word_;
