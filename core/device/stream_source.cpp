@@ -55,8 +55,11 @@ class StreamSource final : public FrameSource {
 };
 
 bool StreamSource::isJpegStream() const {
+  // The letters of the stream, or else the first four of the codec's name.
   const auto codec = static_cast<int>(capture_.get(cv::CAP_PROP_FOURCC));
-  return codec == cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
+  return codec == cv::VideoWriter::fourcc('M', 'J', 'P', 'G') ||
+         codec == cv::VideoWriter::fourcc('m', 'j', 'p', 'g') ||
+         codec == cv::VideoWriter::fourcc('m', 'j', 'p', 'e');
 }
 
 Result<void> StreamSource::connect() {

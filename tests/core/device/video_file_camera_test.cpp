@@ -63,7 +63,16 @@ TEST(VideoFileCamera, GoesToAnyPictureForwardsAndBack) {
 
 TEST(VideoFileCamera, SaysThatAVideoIsCutOff) {
   const TempDir dir;
-  const auto file = putVideo(dir / "turn.avi");
+  const auto file = dir / "turn.avi";
+  {
+    cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG,
+                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10.0, {320, 240});
+    cv::Mat noise(240, 320, CV_8UC3);
+    for (int i = 0; i < kPictures; ++i) {
+      cv::randu(noise, 0, 255);
+      writer.write(noise);
+    }
+  }
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   auto camera = openVideoFile(file);
   ASSERT_TRUE(camera) << camera.error().sentence();
