@@ -34,10 +34,11 @@ void blockBrokenPipes() {
 }
 
 Error late(double seconds) {
-  return {Error::Code::kTimeout,
-          "The camera did not answer for " + std::to_string(std::lround(seconds)) + " seconds.",
-          "Look at its display: is it on, awake and not in a menu, does it find its focus, has it a "
-          "card with space? Then try again."};
+  return {
+      Error::Code::kTimeout,
+      "The camera did not answer for " + std::to_string(std::lround(seconds)) + " seconds.",
+      "Look at its display: is it on, awake and not in a menu, does it find its focus, has it a "
+      "card with space? Then try again."};
 }
 
 // A thread of its own for a camera. Some calls of libgphoto2 never come back: such a thread is left

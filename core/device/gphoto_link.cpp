@@ -7,19 +7,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdlib>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "core/device/gphoto_words.h"
 #include "core/device/whole_jpeg.h"
 
 namespace gyre {
 namespace {
 
 constexpr const char* kNetworkModel = "PTP/IP Camera";
-constexpr int kPtpIpPort = 15740;
 // A second file of the same shot (raw and JPEG) is told within this time.
 constexpr int kSecondFile_ms = 1500;
 constexpr int kEventSlice_ms = 250;
@@ -38,18 +37,6 @@ FileHandle newFile() {
   return gp_file_new(&file) == GP_OK ? FileHandle(file) : nullptr;
 }
 
-bool endsAsJpeg(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name.ends_with(".jpg") || name.ends_with(".jpeg");
-}
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 // What one control is called by cameras of several makers.
 struct Names {
   const char* name;
@@ -61,16 +48,6 @@ constexpr Names kAperture{"aperture", {"f-number", "aperture", nullptr}};
 constexpr Names kGain{"gain", {"iso", "isospeed", nullptr}};
 constexpr Names kWhiteBalance{"white balance", {"whitebalance", nullptr, nullptr}};
 constexpr Names kProgram{"program", {"expprogram", "autoexposuremode", "autoexposuremodedial"}};
-
-// "1/125" and "f/8" as numbers; 0 for words.
-double numberIn(std::string text) {
-  if (text.starts_with("f/")) text = text.substr(2);
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (end == text.c_str()) return 0.0;
-  const double below = *end == '/' ? std::strtod(end + 1, nullptr) : 1.0;
-  return below > 0.0 ? number / below : 0.0;
-}
 
 }  // namespace
 
@@ -122,7 +99,7 @@ bool GphotoLink::Library::choose(const Names& names, std::span<const char* const
   for (int i = 0; i < gp_widget_count_choices(found.get()); ++i) {
     const char* choice = nullptr;
     if (gp_widget_get_choice(found.get(), i, &choice) != GP_OK) continue;
-    const auto fits = [&](const char* word) { return lower(choice) == word; };
+    const auto fits = [&](const char* word) { return lowerCase(choice) == word; };
     if (std::none_of(words.begin(), words.end(), fits)) continue;
     const char* name = nullptr;
     gp_widget_get_name(found.get(), &name);
@@ -192,17 +169,6 @@ std::optional<FoundCamera> detect(const std::string& port, GPContext* context) {
   return std::nullopt;
 }
 
-// "ptpip:HOST[:PORT]" as the library has it: with both of its ports, the command and event one.
-std::string networkPort(const std::string& word) {
-  const std::string rest = word.substr(6);
-  const std::size_t colon = rest.find(':');
-  const std::string host = rest.substr(0, colon);
-  std::string port = colon == std::string::npos ? "" : rest.substr(colon + 1);
-  port = port.substr(0, port.find(':'));
-  if (port.empty()) port = std::to_string(kPtpIpPort);
-  return "ptpip:" + host + ":" + port + ":" + port;
-}
-
 // A connection that libgphoto2 2.5.30 fails to make ends with a close() of descriptor 0 that it
 // never opened. Were the place left free, the next file of the program would get it, and the next
 // failure would close that file.
@@ -258,8 +224,9 @@ Error GphotoLink::failed(int code, const std::string& doing) {
   if (code == GP_ERROR_CANCEL) return cancelled();
   if (code == GP_ERROR_IO_USB_CLAIM || code == GP_ERROR_IO_LOCK) {
     close();
-    return {Error::Code::kBusy, what,
-            "Close the file manager and other programs that show its pictures, and eject it there."};
+    return {
+        Error::Code::kBusy, what,
+        "Close the file manager and other programs that show its pictures, and eject it there."};
   }
   if (code == GP_ERROR_CAMERA_BUSY) {
     return {Error::Code::kBusy, what, "Wait until it has written its pictures, then try again."};
@@ -278,7 +245,7 @@ Result<void> GphotoLink::ensureOpen() {
   if (library_->camera != nullptr) return {};
   FoundCamera found;
   if (word_.starts_with("ptpip:")) {
-    found = {kNetworkModel, networkPort(word_)};
+    found = {kNetworkModel, ptpIpPortFor(word_)};
   } else {
     const auto detected = detect(word_.substr(7), library_->context);
     if (!detected) {
@@ -319,7 +286,7 @@ Result<cv::Mat> GphotoLink::shoot() {
   CameraFilePath path{};
   int code = gp_camera_capture(library_->camera, GP_CAPTURE_IMAGE, &path, library_->context);
   if (code < GP_OK) return failed(code, "took no picture");
-  for (int waited_ms = 0; !endsAsJpeg(path.name) && waited_ms < kSecondFile_ms;
+  for (int waited_ms = 0; !namesJpeg(path.name) && waited_ms < kSecondFile_ms;
        waited_ms += kEventSlice_ms) {
     CameraEventType type{};
     void* event = nullptr;
@@ -329,7 +296,7 @@ Result<cv::Mat> GphotoLink::shoot() {
     std::free(event);
     if (code < GP_OK) return failed(code, "did not tell of its picture");
   }
-  if (!endsAsJpeg(path.name)) {
+  if (!namesJpeg(path.name)) {
     return Error{Error::Code::kRejected,
                  "The camera gives " + std::string(path.name) + ", which is no JPEG picture.",
                  "Set its picture quality to JPEG, the largest and finest."};
@@ -368,7 +335,7 @@ Result<std::vector<ControlState>> GphotoLink::controls(Controls what) {
   if (const auto opened = ensureOpen(); !opened) return opened.error();
   constexpr std::array kManualFocus = {"manual", "mf"};
   if (what == Controls::kLock) static_cast<void>(library_->choose(kFocus, kManualFocus));
-  const std::string program = lower(library_->value(kProgram).value_or(""));
+  const std::string program = lowerCase(library_->value(kProgram).value_or(""));
   const bool by_hand = program == "m" || program == "manual" || program == "bulb";
   const bool aperture_by_hand = by_hand || program == "a" || program == "av";
   const auto state = [&](const Names& names, auto is_fixed, const char* cure) {
@@ -377,8 +344,8 @@ Result<std::vector<ControlState>> GphotoLink::controls(Controls what) {
     const auto value = library_->value(names);
     if (!value) return told;
     told.word = *value;
-    told.value = numberIn(*value);
-    told.locked = is_fixed(lower(*value));
+    told.value = numberInWord(*value);
+    told.locked = is_fixed(lowerCase(*value));
     told.remark = told.locked ? "" : cure;
     return told;
   };
@@ -390,10 +357,12 @@ Result<std::vector<ControlState>> GphotoLink::controls(Controls what) {
   };
   return std::vector<ControlState>{
       state(kFocus, manual, "Set the lens to manual focus (MF)."),
-      state(kExposure, [&](const std::string&) { return by_hand; },
-            "Set the camera's dial to M, and choose the time there."),
-      state(kAperture, [&](const std::string&) { return aperture_by_hand; },
-            "Set the camera's dial to M, and choose the aperture there."),
+      state(
+          kExposure, [&](const std::string&) { return by_hand; },
+          "Set the camera's dial to M, and choose the time there."),
+      state(
+          kAperture, [&](const std::string&) { return aperture_by_hand; },
+          "Set the camera's dial to M, and choose the aperture there."),
       state(kGain, not_automatic, "Choose an ISO value in place of automatic."),
       state(kWhiteBalance, not_automatic, "Choose a white balance in place of automatic."),
   };

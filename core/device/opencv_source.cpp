@@ -32,8 +32,8 @@ Error notACamera(const std::string& camera) {
 
 class OpenCvSource final : public FrameSource {
  public:
-  OpenCvSource(const cv::VideoCapture& capture, std::unique_ptr<V4l2Device> device,
-               CameraInfo info, int mains_hz)
+  OpenCvSource(const cv::VideoCapture& capture, std::unique_ptr<V4l2Device> device, CameraInfo info,
+               int mains_hz)
       : capture_(capture), device_(std::move(device)), info_(std::move(info)) {
     lock_.mains_hz = mains_hz;
   }

@@ -17,8 +17,7 @@
 namespace gyre {
 namespace {
 
-constexpr const char* kNoControls =
-    "A stream has no controls; set it in the camera's own program.";
+constexpr const char* kNoControls = "A stream has no controls; set it in the camera's own program.";
 Error undecodable(const std::string& why) {
   return {Error::Code::kIo, "A picture of the network camera " + why + ".",
           "Check the network, or choose a smaller picture in the camera's own program."};

@@ -84,7 +84,7 @@ class StreamingCamera final : public Camera {
   std::optional<Error> failure_;  // the thread has ended
   double last_arrival_s_;
   std::multiset<double> waits_s_;  // the moments that somebody waits for
-  int asked_ = 0;  // of the controls, so far
+  int asked_ = 0;                  // of the controls, so far
   int answered_ = 0;
   bool lock_asked_ = false;
   std::optional<Error> trouble_;  // what the source says of its silence

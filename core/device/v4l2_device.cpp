@@ -36,8 +36,9 @@ Result<std::unique_ptr<V4l2Device>> openV4l2Device(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   if (fd >= 0) return std::unique_ptr<V4l2Device>(std::make_unique<OpenV4l2Device>(fd));
   const int problem = errno;
-  const std::string what = "The camera " + path + " could not be opened: " +
-                           std::generic_category().message(problem) + ".";
+  const std::string what = "The camera " + path +
+                           " could not be opened: " + std::generic_category().message(problem) +
+                           ".";
   if (problem == ENOENT || problem == ENODEV || problem == ENXIO) {
     return Error{Error::Code::kNotFound, what, "Plug it in; `gyre devices` lists the cameras."};
   }

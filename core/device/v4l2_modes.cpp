@@ -16,9 +16,9 @@ constexpr std::uint32_t kMostEntries = 256;
 
 // What OpenCV turns into a colour picture. H.264 and its kin are not among them.
 constexpr std::array kDecodable = {
-    V4L2_PIX_FMT_MJPEG, V4L2_PIX_FMT_JPEG,   V4L2_PIX_FMT_YUYV,   V4L2_PIX_FMT_UYVY,
-    V4L2_PIX_FMT_NV12,  V4L2_PIX_FMT_NV21,   V4L2_PIX_FMT_YUV420, V4L2_PIX_FMT_YVU420,
-    V4L2_PIX_FMT_RGB24, V4L2_PIX_FMT_BGR24,  V4L2_PIX_FMT_GREY,
+    V4L2_PIX_FMT_MJPEG, V4L2_PIX_FMT_JPEG,  V4L2_PIX_FMT_YUYV,   V4L2_PIX_FMT_UYVY,
+    V4L2_PIX_FMT_NV12,  V4L2_PIX_FMT_NV21,  V4L2_PIX_FMT_YUV420, V4L2_PIX_FMT_YVU420,
+    V4L2_PIX_FMT_RGB24, V4L2_PIX_FMT_BGR24, V4L2_PIX_FMT_GREY,
 };
 
 std::string lettersOf(std::uint32_t format) {
@@ -103,16 +103,15 @@ std::optional<VideoMode> bestMode(std::span<const VideoMode> modes, double least
   const VideoMode* best = nullptr;
   for (const VideoMode& mode : modes) {
     if (!fast_enough(mode)) continue;
-    const bool better = best == nullptr || pixelsOf(mode) > pixelsOf(*best) ||
-                        (pixelsOf(mode) == pixelsOf(*best) &&
-                         mode.frames_per_s > best->frames_per_s);
+    const bool better =
+        best == nullptr || pixelsOf(mode) > pixelsOf(*best) ||
+        (pixelsOf(mode) == pixelsOf(*best) && mode.frames_per_s > best->frames_per_s);
     if (better) best = &mode;
   }
   if (best != nullptr) return *best;
-  const auto fastest =
-      std::max_element(modes.begin(), modes.end(), [](const VideoMode& a, const VideoMode& b) {
-        return a.frames_per_s < b.frames_per_s;
-      });
+  const auto fastest = std::max_element(
+      modes.begin(), modes.end(),
+      [](const VideoMode& a, const VideoMode& b) { return a.frames_per_s < b.frames_per_s; });
   return fastest == modes.end() ? std::nullopt : std::optional(*fastest);
 }
 

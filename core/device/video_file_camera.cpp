@@ -130,7 +130,8 @@ Result<std::unique_ptr<RecordedCamera>> openVideoFile(const std::filesystem::pat
   // Read as a file of that very name: "%" in it is no pattern of numbered pictures.
   cv::VideoCapture capture;
   if (!capture.open(file.string(), cv::CAP_FFMPEG)) {
-    return Error{Error::Code::kInvalidInput, "The file " + quoted(file) + " cannot be read as a video.",
+    return Error{Error::Code::kInvalidInput,
+                 "The file " + quoted(file) + " cannot be read as a video.",
                  "It may be cut off, or no video at all: play it in a video player to see."};
   }
   capture.set(cv::CAP_PROP_ORIENTATION_AUTO, 0.0);

@@ -55,12 +55,10 @@ class FakeV4l2 final : public V4l2Device {
         {V4L2_CID_POWER_LINE_FREQUENCY, {V4L2_CID_POWER_LINE_FREQUENCY_60HZ}},
         {V4L2_CID_ZOOM_ABSOLUTE, {100}},
     };
-    device.modes = {{V4L2_PIX_FMT_YUYV, 640, 480, {30, 15}},
-                    {V4L2_PIX_FMT_YUYV, 1920, 1080, {5}},
-                    {V4L2_PIX_FMT_YUYV, 2304, 1536, {2}},
-                    {V4L2_PIX_FMT_H264, 3840, 2160, {30}},
-                    {V4L2_PIX_FMT_MJPEG, 1280, 720, {60, 30}},
-                    {V4L2_PIX_FMT_MJPEG, 1920, 1080, {30, 15, 5}}};
+    device.modes = {
+        {V4L2_PIX_FMT_YUYV, 640, 480, {30, 15}},   {V4L2_PIX_FMT_YUYV, 1920, 1080, {5}},
+        {V4L2_PIX_FMT_YUYV, 2304, 1536, {2}},      {V4L2_PIX_FMT_H264, 3840, 2160, {30}},
+        {V4L2_PIX_FMT_MJPEG, 1280, 720, {60, 30}}, {V4L2_PIX_FMT_MJPEG, 1920, 1080, {30, 15, 5}}};
     device.present = device.modes.front();
     return device;
   }

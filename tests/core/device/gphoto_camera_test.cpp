@@ -26,7 +26,8 @@ constexpr int kGreyStep = 20;
 
 Bytes numbered(int number) {
   Bytes bytes;
-  cv::imencode(".jpg", cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(kGreyStep * (number + 1))), bytes);
+  cv::imencode(".jpg", cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(kGreyStep * (number + 1))),
+               bytes);
   return bytes;
 }
 

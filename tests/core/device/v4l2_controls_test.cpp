@@ -52,7 +52,7 @@ TEST(LockV4l2Controls, SetsTheMainsFrequencyOnlyWhenAsked) {
 
 TEST(LockV4l2Controls, NamesWhatCannotBeLocked) {
   FakeV4l2 device = FakeV4l2::webcam();
-  device.controls.erase(V4L2_CID_FOCUS_ABSOLUTE);          // fixed focus
+  device.controls.erase(V4L2_CID_FOCUS_ABSOLUTE);           // fixed focus
   device.controls[V4L2_CID_EXPOSURE_AUTO].stubborn = true;  // says yes, stays automatic
   device.controls[V4L2_CID_AUTO_WHITE_BALANCE].read_only = true;
   device.controls[V4L2_CID_GAIN].wanders = true;
@@ -81,7 +81,8 @@ TEST(LockV4l2Controls, DoesWithoutTheControlsThatACameraDoesNotHave) {
 TEST(LockV4l2Controls, AsksAgainWhereABusyCameraAnswersWithAnError) {
   FakeV4l2 device = FakeV4l2::webcam();
   device.busy_answers = 2;
-  for (const ControlState& state : lockV4l2Controls(device)) EXPECT_TRUE(state.locked) << state.name;
+  for (const ControlState& state : lockV4l2Controls(device))
+    EXPECT_TRUE(state.locked) << state.name;
 }
 
 TEST(LockV4l2Controls, SaysNothingIsLockedOfACameraThatIsGone) {
