@@ -35,8 +35,10 @@ constexpr const char* kCalibration = "calibration.json";
 
 // The folder as an absolute path with a name at its end, whatever way it was written.
 fs::path namedFolder(const fs::path& folder) {
-  std::error_code ignored;
-  fs::path named = fs::weakly_canonical(fs::absolute(folder, ignored), ignored);
+  std::error_code problem;
+  const fs::path whole = fs::absolute(folder, problem);
+  fs::path named = fs::weakly_canonical(whole, problem);
+  if (problem) named = whole.lexically_normal();  // a name too long for this; making it will tell
   return named.has_filename() ? named : named.parent_path();
 }
 

@@ -1,13 +1,13 @@
 // Whole scans with a network camera that stalls, drops its connection, sends half a picture, turns
 // its pictures and comes back. The turntable is the simulated one.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <filesystem>
-#include <string>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <thread>
-#include <vector>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
