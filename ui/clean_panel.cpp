@@ -52,6 +52,11 @@ double optionValue(const OptionList& list, const char* name) {
   return option != nullptr ? std::visit(Getter{}, option->field) : 0.0;
 }
 
+// A round number of triangles: about half of those there are.
+double halfInThousands(std::size_t triangles) {
+  return 1000.0 * std::ceil(static_cast<double>(triangles) / 2000.0);
+}
+
 // The farthest corner of the box from the table's axis. [mm]
 double reachOf(const Bounds& bounds) {
   const double x = std::max(std::abs(bounds.min.x()), std::abs(bounds.max.x()));
@@ -68,7 +73,10 @@ CleanPanel::CleanPanel(QWidget* parent) : QWidget(parent) {
   layout->addWidget(makeCard(card));
   card->addWidget(makeLabel(tr("Clean up"), "heading"));
   card->addWidget(makeLabel(tr("Tick what shall be done; it is shown at once."), "muted"));
-  addRows(card);
+  auto* rows = new QVBoxLayout;
+  rows->setSpacing(3);
+  card->addLayout(rows);
+  addRows(rows);
   progress_ = new QProgressBar;
   progress_->setTextVisible(false);
   progress_->setAccessibleName(tr("Progress of the clean-up"));
@@ -102,13 +110,13 @@ CleanPanel::CleanPanel(QWidget* parent) : QWidget(parent) {
   showFacts({});
 }
 
-void CleanPanel::addRow(QVBoxLayout* card, CleanRow* row, const char* option, double per_unit) {
-  card->addWidget(row);
+void CleanPanel::addRow(QVBoxLayout* rows, CleanRow* row, const char* option, double per_unit) {
+  rows->addWidget(row);
   rows_.push_back({row, option, per_unit});
   connect(row, &CleanRow::changed, this, &CleanPanel::change);
 }
 
-CleanRow* CleanPanel::addNumber(QVBoxLayout* card, const char* option, const QString& name,
+CleanRow* CleanPanel::addNumber(QVBoxLayout* rows, const char* option, const QString& name,
                                 double per_unit) {
   CleanOptions described;
   const OptionList list = OptionList::of(described);
@@ -125,24 +133,24 @@ CleanRow* CleanPanel::addNumber(QVBoxLayout* card, const char* option, const QSt
   words.decimals = count ? 0 : 1;
   auto* row =
       new CleanRow(crop ? CleanRow::Kind::kNumberAndSlider : CleanRow::Kind::kNumber, words);
-  addRow(card, row, option, per_unit);
+  addRow(rows, row, option, per_unit);
   return row;
 }
 
-void CleanPanel::addRows(QVBoxLayout* card) {
-  radius_ = addNumber(card, "crop-radius", tr("Crop around axis"), 1.0);
-  lowest_ = addNumber(card, "z-min", tr("Crop below"), 1.0);
-  highest_ = addNumber(card, "z-max", tr("Crop above"), 1.0);
-  specks_ = addNumber(card, "min-component", tr("Specks below"), kPercent);
-  holes_ = addNumber(card, "fill-holes", tr("Close holes to"), 1.0);
+void CleanPanel::addRows(QVBoxLayout* rows) {
+  radius_ = addNumber(rows, "crop-radius", tr("Crop around axis"), 1.0);
+  lowest_ = addNumber(rows, "z-min", tr("Crop below"), 1.0);
+  highest_ = addNumber(rows, "z-max", tr("Crop above"), 1.0);
+  specks_ = addNumber(rows, "min-component", tr("Specks below"), kPercent);
+  holes_ = addNumber(rows, "fill-holes", tr("Close holes to"), 1.0);
   base_ = new CleanRow(
       CleanRow::Kind::kTick,
       {tr("Flat base on the table"), QString(),
        tr("Closes the open bottom by a flat lid at height 0; what lies below is cut off."), 0});
-  addRow(card, base_, "base-cap", 1.0);
-  smooth_ = addNumber(card, "smooth", tr("Smooth, times"), 1.0);
-  triangles_ = addNumber(card, "triangles", tr("Triangles at most"), 1.0);
-  even_ = addNumber(card, "remesh", tr("Even triangles"), 1.0);
+  addRow(rows, base_, "base-cap", 1.0);
+  smooth_ = addNumber(rows, "smooth", tr("Smooth, times"), 1.0);
+  triangles_ = addNumber(rows, "triangles", tr("Triangles at most"), 1.0);
+  even_ = addNumber(rows, "remesh", tr("Even triangles"), 1.0);
   specks_->setRange(0.1, 50.0, 0.5);
   specks_->setValue(kUsualSpecks_percent);
   holes_->setRange(0.1, kMostHole_mm, 0.5);
@@ -171,7 +179,7 @@ void CleanPanel::showSurface(const Bounds& bounds, std::size_t triangles) {
   if (!radius_->isOn()) radius_->setValue(reach_mm);
   if (!lowest_->isOn()) lowest_->setValue(low_mm);
   if (!highest_->isOn()) highest_->setValue(high_mm);
-  if (!triangles_->isOn()) triangles_->setValue(std::ceil(static_cast<double>(triangles) / 2.0));
+  if (!triangles_->isOn()) triangles_->setValue(halfInThousands(triangles));
   if (!even_->isOn()) even_->setValue(edge_mm);
 }
 

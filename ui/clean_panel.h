@@ -59,9 +59,9 @@ class CleanPanel final : public QWidget {
     double per_unit;     // what the option counts for one of the row's numbers
   };
 
-  void addRows(QVBoxLayout* card);
-  CleanRow* addNumber(QVBoxLayout* card, const char* option, const QString& name, double per_unit);
-  void addRow(QVBoxLayout* card, CleanRow* row, const char* option, double per_unit);
+  void addRows(QVBoxLayout* rows);
+  CleanRow* addNumber(QVBoxLayout* rows, const char* option, const QString& name, double per_unit);
+  void addRow(QVBoxLayout* rows, CleanRow* row, const char* option, double per_unit);
   void change();
   void request();
   bool anyOn() const;

@@ -38,6 +38,7 @@ CleanRow::CleanRow(Kind kind, const CleanRowWords& words, QWidget* parent) : QWi
   number_->setToolTip(words.tip);
   number_->setAccessibleName(words.name + words.unit);
   number_->setFixedWidth(kNumberWidth_px);
+  number_->setGroupSeparatorShown(true);
   number_->setKeyboardTracking(false);
   row->addWidget(number_);
   connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double) {

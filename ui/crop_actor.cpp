@@ -80,7 +80,6 @@ CropActor::CropActor(vtkRenderer& renderer) {
     renderer.AddActor(actor);
   }
   walls_->GetProperty()->SetOpacity(0.10);
-  edges_->GetProperty()->SetOpacity(0.75);
 }
 
 CropActor::~CropActor() = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/measure_panel.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QAction>
@@ -15,7 +16,8 @@
 namespace gyre {
 namespace {
 
-constexpr int kListHeight_px = 118;
+constexpr int kRowHeight_px = 30;
+constexpr int kMostRows = 4;  // of the list at once
 constexpr double kMostCaliper_mm = 10000.0;
 
 }  // namespace
@@ -38,7 +40,6 @@ MeasurePanel::MeasurePanel(QAction* measure, QWidget* parent) : QWidget(parent) 
   list_ = new QListWidget;
   list_->setAccessibleName(tr("Measured lengths"));
   list_->setToolTip(tr("Choose one to see its line in the model"));
-  list_->setFixedHeight(kListHeight_px);
   card->addWidget(list_);
   details_ = new QWidget;
   auto* details = new QVBoxLayout(details_);
@@ -90,6 +91,7 @@ void MeasurePanel::showMeasurements(const std::vector<Measurement>& measurements
     list_->item(i)->setText(text);
   }
   list_->setVisible(!measurements.empty());
+  list_->setFixedHeight(kRowHeight_px * std::clamp(count, 1, kMostRows) + 6);
   list_->setCurrentRow(chosen);
   showChosen();
 }

@@ -46,6 +46,7 @@ MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
   addViewCard(layout);
   layout->addStretch(1);
   connectAll();
+  offer();
   showMethod();
   showNoMesh();
 }

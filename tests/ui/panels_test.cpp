@@ -159,6 +159,8 @@ TEST(MeshPanel, MakesNoSurfaceWithoutPoints) {
   EXPECT_FALSE(anyEnabled(panel));
   panel.showPoints(1000);
   EXPECT_TRUE(anyEnabled(panel));
+  panel.showPoints(0);
+  EXPECT_FALSE(anyEnabled(panel));
 }
 
 TEST(MeshPanel, AsksForTheGapSizeThatWasSet) {
