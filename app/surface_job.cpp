@@ -25,7 +25,7 @@ Result<Mesh> meshOfAlphaShape(const PointCloud& cloud, double gap_size_mm,
 // Kinds that make something of points alone; all others follow lines of sight.
 bool doesWithoutSights(MeshMethod method) {
   return method == MeshMethod::kAuto || method == MeshMethod::kAdaptive ||
-         method == MeshMethod::kWatertight;
+         method == MeshMethod::kPoisson || method == MeshMethod::kWatertight;
 }
 
 std::string remarkWithoutSights(MeshMethod method) {
@@ -53,7 +53,7 @@ Result<MadeSurface> surfaceOfSights(const PointCloud& cloud, const std::filesyst
   if (!mesh) return mesh.error();
   MadeSurface made;
   made.mesh = std::make_shared<const Mesh>(std::move(mesh->mesh));
-  if (!*sights) made.remark = remarkWithoutSights(method);
+  if (!*sights && method != MeshMethod::kPoisson) made.remark = remarkWithoutSights(method);
   return made;
 }
 

@@ -35,6 +35,11 @@ SurfaceKind surfaceKind(MeshMethod method) {
             tr("Lays a skin around the closed body: always free of crossings, for printers that "
                "refuse the other.")};
   }
+  if (word == "poisson") {
+    return {tr("Smooth closed body"),
+            tr("A smooth skin that follows the points' normals: rounds off edges and bridges what "
+               "was not seen.")};
+  }
   if (word == "silhouette") {
     return {tr("Body of the outlines"),
             tr("What all outlines of the object leave: for objects too plain for points. Hollows "

@@ -85,6 +85,17 @@ std::optional<SightEvidence> sightsOf(const Reconstruction& reconstruction,
   return sightsOf(calibration, angles_rad, reconstruction.silhouettes, reconstruction.cloud);
 }
 
+// A surface of the points; of the outlines, where points are too few to be trusted with it.
+Result<MadeMesh> bestSurface(const PointCloud& cloud, const std::optional<SightEvidence>& sights,
+                             const Task& task) {
+  const bool enough = cloud.points.size() >= kEnoughPoints;
+  if (!enough && sights && !sights->outlines.empty()) {
+    auto hull = makeMesh(cloud, sights, {.method = MeshMethod::kSilhouette}, task);
+    if (hull || hull.error().code == Error::Code::kCancelled) return hull;
+  }
+  return makeMesh(cloud, sights, {}, task);
+}
+
 Result<void> writeMesh(const fs::path& folder, const Mesh& mesh) {
   if (const auto done = writePly(folder / "mesh.ply", mesh); !done) return done;
   return writeObj(folder / "mesh.obj", mesh);
@@ -103,10 +114,11 @@ Result<WrittenResults> writeResults(const fs::path& folder, const Reconstruction
   const double start_s = steadySeconds();
   task.report(0.0, "Making the mesh");
   auto surface =
-      makeMesh(reconstruction.cloud, sightsOf(reconstruction, context), {}, task.part(0.0, 0.9));
+      bestSurface(reconstruction.cloud, sightsOf(reconstruction, context), task.part(0.0, 0.9));
   report.seconds["mesh"] = steadySeconds() - start_s;
   if (surface) {
     written.mesh = std::move(surface->mesh);
+    written.method = surface->method;
     report.options["surface"] = wordOf(surface->method);
     if (surface->alpha_mm > 0.0) {
       report.options["alpha_mm"] = formatted("%.4g", surface->alpha_mm);

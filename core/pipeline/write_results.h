@@ -24,12 +24,14 @@ struct ResultContext {
 };
 
 struct WrittenResults {
-  Mesh mesh;                          // empty when none could be made
-  std::optional<Error> mesh_problem;  // why
+  Mesh mesh;                              // empty when none could be made
+  MeshMethod method = MeshMethod::kAuto;  // by which it was made
+  std::optional<Error> mesh_problem;      // why
 };
 
 // Writes points.ply, visibility.bin, calibration.json, angles_solved.csv, report.json, report.html,
-// and mesh.ply and mesh.obj where the points suffice for a mesh; each file atomically. The folder
+// and mesh.ply and mesh.obj: a surface of the points, or where they are too few the body that the
+// outlines leave, where there are any; each file atomically. The folder
 // is made when it is not there. Fails when a file cannot be written, and when stopped.
 Result<WrittenResults> writeResults(const std::filesystem::path& folder,
                                     const Reconstruction& reconstruction,
