@@ -129,6 +129,8 @@ class Photographer final : public QObject {
     if (scene == "clean") {
       connect(&bench_.controller().editor(), &SurfaceEditor::previewMade, this,
               [this] { takeSoon(); });
+      connect(&bench_.controller().editor(), &SurfaceEditor::previewRefused, this,
+              [](const Error& error) { QApplication::exit(failWith(error.sentence())); });
       page->clean_panel->choose(pictureCleaning(*bench_.controller().mesh()));
     } else if (scene == "measure") {
       connect(&bench_.measures(), &MeasureController::changed, this,

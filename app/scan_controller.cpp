@@ -196,7 +196,10 @@ void ScanController::run(ScanBegin begin, const ScanRequest& request) {
   auto result = std::make_shared<Outcome>();
   live_ = live;
   folder_ = request.folder;
+  cloud_ = nullptr;
+  alpha_shape_.reset();
   editor_.clear();
+  Q_EMIT modelChanged();
   facts_ = {};
   facts_.views = request.views;
   clock_.start();

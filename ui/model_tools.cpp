@@ -2,6 +2,7 @@
 #include "ui/model_tools.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -14,11 +15,11 @@ ModelTools::ModelTools(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(2);
-  undo = makeAction(tr("&Undo"), "undo", QKeySequence("Ctrl+Z"));
-  redo = makeAction(tr("&Redo"), "redo", QKeySequence("Ctrl+Shift+Z"));
-  before = makeAction(tr("As it was &before"), "before", QKeySequence("B"));
-  hatching = makeAction(tr("&Hatch what no camera saw"), "hatch", QKeySequence("H"));
-  measure = makeAction(tr("&Measure"), "measure", QKeySequence("M"));
+  undo = makeAction(tr("&Undo"), QKeySequence("Ctrl+Z"));
+  redo = makeAction(tr("&Redo"), QKeySequence("Ctrl+Shift+Z"));
+  before = makeAction(tr("As it was &before"), QKeySequence("B"));
+  hatching = makeAction(tr("&Hatch what no camera saw"), QKeySequence("H"));
+  measure = makeAction(tr("&Measure"), QKeySequence("M"));
   for (QAction* action : {before, hatching, measure}) action->setCheckable(true);
   hatching->setChecked(true);
   addButton(*row, undo);
@@ -28,23 +29,39 @@ ModelTools::ModelTools(QWidget* parent) : QWidget(parent) {
   addButton(*row, hatching);
   measure->setToolTip(tr("Measure between two clicks on the model, in mm ± mm (M); Esc ends"));
   addButton(*row, measure);
-  auto* fit = new QToolButton;
-  fit->setIcon(themeIcon("fit"));
-  fit->setToolTip(tr("Show the whole object (F)"));
-  fit->setAccessibleName(tr("Show the whole object"));
-  connect(fit, &QToolButton::clicked, this, &ModelTools::fitRequested);
-  row->addWidget(fit);
+  fit_ = new QToolButton;
+  fit_->setToolTip(tr("Show the whole object (F)"));
+  fit_->setAccessibleName(tr("Show the whole object"));
+  connect(fit_, &QToolButton::clicked, this, &ModelTools::fitRequested);
+  row->addWidget(fit_);
   connect(before, &QAction::toggled, this, [this](bool on) {
     const QSignalBlocker quiet(hold_before_);
     hold_before_->setChecked(on);
     Q_EMIT sideChosen(on ? EditSide::kBefore : EditSide::kAfter);
   });
+  drawIcons();
   showFacts({});
   showSurface(0);
 }
 
-QAction* ModelTools::makeAction(const QString& name, const QString& icon, const QKeySequence& key) {
-  auto* action = new QAction(themeIcon(icon), name, this);
+// In the colour of the text, which is another when the theme is.
+void ModelTools::drawIcons() {
+  undo->setIcon(themeIcon("undo"));
+  redo->setIcon(themeIcon("redo"));
+  before->setIcon(themeIcon("before"));
+  hold_before_->setIcon(before->icon());
+  hatching->setIcon(themeIcon("hatch"));
+  measure->setIcon(themeIcon("measure"));
+  fit_->setIcon(themeIcon("fit"));
+}
+
+void ModelTools::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) drawIcons();
+  QWidget::changeEvent(event);
+}
+
+QAction* ModelTools::makeAction(const QString& name, const QKeySequence& key) {
+  auto* action = new QAction(name, this);
   action->setShortcut(key);
   return action;
 }
@@ -62,7 +79,6 @@ QToolButton* ModelTools::addButton(QHBoxLayout& row, QAction* action) {
 // Held by mouse or Space it shows what was, as long as it is held; the key B turns it on and off.
 void ModelTools::addBeforeButton(QHBoxLayout& row) {
   hold_before_ = new QToolButton;
-  hold_before_->setIcon(before->icon());
   hold_before_->setCheckable(true);
   hold_before_->setToolTip(
       tr("Hold to see the surface as it was before the preview or the last step; B turns it on and "

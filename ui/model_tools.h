@@ -33,12 +33,17 @@ class ModelTools final : public QWidget {
   void sideChosen(gyre::EditSide side);
   void fitRequested();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
-  QAction* makeAction(const QString& name, const QString& icon, const QKeySequence& key);
+  QAction* makeAction(const QString& name, const QKeySequence& key);
+  void drawIcons();
   QToolButton* addButton(QHBoxLayout& row, QAction* action);
   void addBeforeButton(QHBoxLayout& row);
 
   QToolButton* hold_before_;
+  QToolButton* fit_;
 };
 
 }  // namespace gyre

@@ -73,11 +73,11 @@ void SceneActors::setTheme(SceneTheme theme) {
   if (dark) {
     renderer_->SetBackground(0.075, 0.090, 0.110);
     renderer_->SetBackground2(0.150, 0.175, 0.205);
-    rig_.setLineColour({0.70, 0.76, 0.82});
+    rig_.setColours({0.70, 0.76, 0.82}, {0.26, 0.29, 0.33});
   } else {
     renderer_->SetBackground(0.865, 0.885, 0.905);
     renderer_->SetBackground2(0.965, 0.972, 0.980);
-    rig_.setLineColour({0.30, 0.36, 0.43});
+    rig_.setColours({0.30, 0.36, 0.43}, {0.77, 0.79, 0.82});
   }
   const double text = dark ? 0.85 : 0.25;
   auto* axes = vtkAxesActor::SafeDownCast(corner_renderer_->GetViewProps()->GetItemAsObject(0));
