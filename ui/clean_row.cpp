@@ -19,6 +19,7 @@ constexpr int kNumberWidth_px = 112;
 }  // namespace
 
 CleanRow::CleanRow(Kind kind, const CleanRowWords& words, QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // never squeezed
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);

@@ -3,7 +3,6 @@
 #include "ui/work_page.h"
 
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
 
@@ -17,6 +16,7 @@
 #include "ui/measure_panel.h"
 #include "ui/mesh_panel.h"
 #include "ui/model_tools.h"
+#include "ui/panel_scroll.h"
 #include "ui/parts.h"
 #include "ui/place_panel.h"
 #include "ui/scan_panel.h"
@@ -49,15 +49,6 @@ QFrame* framed(const QString& title, const QString& legend, QWidget* view, QWidg
   layout->addLayout(row);
   layout->addWidget(view, 1);
   return frame;
-}
-
-QScrollArea* scrolled(QWidget* panel) {
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(panel);
-  return scroll;
 }
 
 }  // namespace
@@ -97,7 +88,7 @@ QWidget* WorkPage::buildSteps() {
        {static_cast<QWidget*>(device_panel), static_cast<QWidget*>(calibration_panel),
         static_cast<QWidget*>(place_panel), static_cast<QWidget*>(scan_panel),
         static_cast<QWidget*>(mesh_panel), static_cast<QWidget*>(export_panel)}) {
-    panels_->addWidget(scrolled(panel));
+    panels_->addWidget(new PanelScroll(panel));
   }
   layout->addWidget(panels_, 1);
   connect(steps, &StepList::stepChosen, this, &WorkPage::showStep);
@@ -142,7 +133,7 @@ QWidget* WorkPage::buildEditing() {
   layout->addWidget(clean_panel);
   layout->addWidget(measure_panel);
   layout->addStretch(1);
-  QScrollArea* scroll = scrolled(column);
+  auto* scroll = new PanelScroll(column);
   scroll->setFixedWidth(kEditingWidth_px);
   scroll->hide();
   return scroll;
