@@ -121,7 +121,8 @@ PortState stateOf(const TableSearch& search) {
 
 void tellHolder(PortDiagnosis& diagnosis, const DoctorView& view) {
   for (const std::string& holder : holdersOf(diagnosis.port, view)) {
-    diagnosis.held_by += (diagnosis.held_by.empty() ? "" : ", ") + holder;
+    if (!diagnosis.held_by.empty()) diagnosis.held_by += ", ";
+    diagnosis.held_by += holder;
   }
   if (diagnosis.held_by.empty()) return;
   diagnosis.what = diagnosis.port + " is in use by " + diagnosis.held_by + ".";
@@ -169,7 +170,8 @@ std::vector<std::string> holdersOf(const std::string& path, const DoctorView& vi
     for (const fs::path& open : entriesOf(program / "fd")) {
       std::error_code unseen;
       if (fs::read_symlink(open, unseen) != device || unseen) continue;
-      holders.push_back(firstLine(program / "comm") + " (" + program.filename().string() + ")");
+      std::string holder = firstLine(program / "comm");
+      holders.push_back(holder.append(" (").append(program.filename().string()).append(")"));
       break;
     }
   }
