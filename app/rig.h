@@ -23,7 +23,8 @@ namespace gyre {
 
 struct RigOptions {
   TurntableOptions turntable;
-  std::string camera_mode;  // "1920x1080@MJPG"; empty leaves the camera's own
+  std::string camera_mode;  // "1920x1080@MJPG"; empty: the largest at 5 pictures a second or more
+  int mains_hz = 0;         // 50 or 60, against lamps that flicker; 0 leaves the camera's own
   RigSettings sim;          // the simulated rig
   double sim_speed = 10.0;  // simulated seconds a second, > 0
   AskPerson ask_person;     // who turns a table without a motor; empty: nobody
@@ -57,7 +58,8 @@ std::string simulatedObject(const std::string& turntable_word);
 Result<std::unique_ptr<Turntable>> openTurntable(const std::string& word, const RigOptions& options,
                                                  SimulatedRoom* room, const Task& task);
 
-// A camera behind "sim", a number or path of a device, a URL, or a folder of pictures.
+// A camera behind "sim", a number or path of a device, a URL, "gphoto:", "ptpip:HOST[:PORT]", a
+// folder of pictures or a video file.
 Result<std::unique_ptr<Camera>> openCamera(const std::string& word, const RigOptions& options,
                                            SimulatedRoom* room);
 

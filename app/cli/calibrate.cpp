@@ -204,7 +204,10 @@ void addRigWords(CLI::App& command, Words& words) {
                      "[FIRMWARE:]PORT, [FIRMWARE:]tcp:HOST:PORT, FILE.json:PORT or "
                      "sim:target[:TARGET]; the target stands on it");
   command.add_option("--camera", words.camera, "Number, /dev/video, URL or sim");
-  command.add_option("--camera-mode", words.rig.camera_mode, "Such as 1920x1080@MJPG");
+  command.add_option("--camera-mode", words.rig.camera_mode,
+                     "Such as 1920x1080@MJPG (default: the largest at 5 pictures a second)");
+  command.add_option("--mains-hz", words.rig.mains_hz, "Against lamps that flicker: 50 or 60")
+      ->check(CLI::IsMember({50, 60}));
   command.add_option("--axis", words.rig.turntable.axis,
                      "Letter of the axis that turns (default X)");
   command.add_option("--pictures", words.turns_pictures, "Pictures in one turn (default 24)")

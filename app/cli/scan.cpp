@@ -32,6 +32,7 @@ struct Words {
   std::string calibration;
   std::string background;
   std::string out;
+  int mains_hz = 0;
   SimWords sim;
 };
 
@@ -45,7 +46,7 @@ struct Plan {
 Result<Plan> planOf(const Words& words) {
   Plan plan;
   plan.settings = words.settings;
-  plan.options.camera_mode = words.settings.camera_mode;
+  plan.options.mains_hz = words.mains_hz;
   plan.options.turntable.axis = words.settings.axis;
   if (const auto valid = plan.options.turntable.validate(); !valid) return valid.error();
   plan.options.sim_speed = words.sim.speed;
@@ -70,6 +71,10 @@ Result<Plan> planOf(const Words& words) {
     return Error{Error::Code::kInvalidInput, "A real rig cannot be measured with uncalibrated.",
                  "Give its calibration with --calibration FILE."};
   }
+  // A calibration holds for one mode: that one, unless another is asked for.
+  std::string& mode = plan.settings.camera_mode;
+  if (mode.empty() && plan.calibration.camera) mode = plan.calibration.camera->mode;
+  plan.options.camera_mode = mode;
   return plan;
 }
 
@@ -84,15 +89,17 @@ Result<void> matchCalibration(const Words& words, const Rig& rig, Plan& plan, Co
   const TurntableInfo info = rig.turntable->info();
   plan.settings.units_per_turn = info.units_per_turn;
   plan.settings.direction = info.direction;
+  plan.settings.camera_controls = rig.camera->info().controls;
   return {};
 }
 
-Result<Reconstruction> scan(const Words& words, Rig& rig, ScanStore& store, const Task& task) {
+Result<Reconstruction> scan(const Words& words, Rig& rig, ScanStore& store, Console& console,
+                            const Task& task) {
   if (!words.background.empty()) {
     if (const auto kept = keepEmptyTable(words.background, store); !kept) return kept.error();
   }
   if (const auto taken = takeEmptyTable(rig, store, task); !taken) return taken.error();
-  return runScan(*rig.turntable, *rig.camera, store, task);
+  return runScan(*rig.turntable, *rig.camera, store, remarksTo(console), task);
 }
 
 int run(const Words& words, Console& console, const Task& task) {
@@ -111,7 +118,7 @@ int run(const Words& words, Console& console, const Task& task) {
   if (!uneven.empty()) console.warn(uneven);
   auto store = ScanStore::create(words.out, plan->settings, plan->calibration);
   if (!store) return console.fail(store.error());
-  return endScan(console, *store, scan(words, *rig, *store, task.part(0.0, 0.9)),
+  return endScan(console, *store, scan(words, *rig, *store, console, task.part(0.0, 0.9)),
                  task.part(0.9, 1.0));
 }
 
@@ -126,9 +133,14 @@ void addScan(CLI::App& app, Run& chosen) {
                    "[FIRMWARE:]PORT, [FIRMWARE:]tcp:HOST:PORT, FILE.json:PORT, hand[:MARKS], "
                    "sim[:OBJECT] or sim:target[:FILE]")
       ->required();
-  command->add_option("--camera", settings.camera, "Number, /dev/video, URL, folder or sim")
+  command
+      ->add_option("--camera", settings.camera,
+                   "Number, /dev/video, URL, gphoto:, ptpip:HOST, folder, video or sim")
       ->required();
-  command->add_option("--camera-mode", settings.camera_mode, "Such as 1920x1080@MJPG");
+  command->add_option("--camera-mode", settings.camera_mode,
+                      "Such as 1920x1080@MJPG (default: as calibrated)");
+  command->add_option("--mains-hz", words->mains_hz, "Against lamps that flicker: 50 or 60")
+      ->check(CLI::IsMember({50, 60}));
   command->add_option("--calibration", words->calibration, "calibration.json of this rig");
   command->add_option("--axis", settings.axis, "Letter of the axis that turns (default X)");
   command->add_option("--background", words->background, "Picture of the empty table, or a folder");
