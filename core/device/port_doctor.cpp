@@ -151,6 +151,18 @@ PortDiagnosis grabbed(const std::string& vendor, const std::string& product) {
   return diagnosis;
 }
 
+PortDiagnosis withoutPort(const KnownAdapter& known, const std::string& vendor,
+                          const std::string& product) {
+  PortDiagnosis diagnosis;
+  diagnosis.port = vendor + ":" + product;
+  diagnosis.state = PortState::kNoDriver;
+  diagnosis.what = "An adapter " + std::string(known.name) + " (" + diagnosis.port +
+                   ") is plugged in and has no serial port.";
+  diagnosis.advice = "Load its driver with \"sudo modprobe " + std::string(known.module) +
+                     "\" and plug it in again; a board in its boot loader has no port either.";
+  return diagnosis;
+}
+
 }  // namespace
 
 std::string_view portStateWord(PortState state) {
@@ -208,14 +220,7 @@ std::vector<PortDiagnosis> diagnoseAdapters(const DoctorView& view) {
       found.push_back(grabbed(vendor, product));
       continue;
     }
-    PortDiagnosis diagnosis;
-    diagnosis.port = vendor + ":" + product;
-    diagnosis.state = PortState::kNoDriver;
-    diagnosis.what = "An adapter " + std::string(known->name) + " (" + diagnosis.port +
-                     ") is plugged in and has no serial port.";
-    diagnosis.advice = "Load its driver with \"sudo modprobe " + std::string(known->module) +
-                       "\" and plug it in again; a board in its boot loader has no port either.";
-    found.push_back(diagnosis);
+    found.push_back(withoutPort(*known, vendor, product));
   }
   return found;
 }
