@@ -8,7 +8,9 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include <QAction>
 #include <QApplication>
 #include <QFile>
 #include <QTemporaryDir>
@@ -16,8 +18,11 @@
 
 #include "app/settings.h"
 #include "app/workbench.h"
+#include "core/sim/object_models.h"
 #include "ui/calibration_panel.h"
 #include "ui/calibration_wizard/calibration_wizard.h"
+#include "ui/clean_panel.h"
+#include "ui/model_tools.h"
 #include "ui/scene_canvas.h"
 #include "ui/scene_view.h"
 #include "ui/theme.h"
@@ -56,6 +61,35 @@ std::optional<WizardStep> wizardStep(const std::string& scene) {
   return std::nullopt;
 }
 
+// Cuts the lowest and the highest tenth off, and smooths.
+CleanOptions pictureCleaning(const Mesh& mesh) {
+  const Bounds bounds = boundsOf(mesh);
+  const double tenth_mm = 0.1 * (bounds.max.z() - bounds.min.z());
+  CleanOptions options;
+  options.min_component_share = 0.0;
+  options.crop.radius_mm = std::max(bounds.max.x(), bounds.max.y());
+  options.crop.z_max_mm = bounds.max.z() - tenth_mm;
+  options.smooth.iterations = 5;
+  return options;
+}
+
+// The two ends of the object along the table's y, as clicks.
+std::array<ScenePick, 2> widestPicks(const Mesh& mesh) {
+  std::array<ScenePick, 2> picks;
+  const auto along = [&](const Triangle& triangle) {
+    return mesh.vertices[triangle[0]].position.y();
+  };
+  const auto [low, high] = std::minmax_element(
+      mesh.triangles.begin(), mesh.triangles.end(),
+      [&](const Triangle& a, const Triangle& b) { return along(a) < along(b); });
+  const std::array ends = {low, high};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    picks[i].index = static_cast<std::size_t>(ends[i] - mesh.triangles.begin());
+    picks[i].position = mesh.vertices[(*ends[i])[0]].position;
+  }
+  return picks;
+}
+
 // Draws the scene and ends the program's event loop with 0, or with 1 when it cannot.
 class Photographer final : public QObject {
  public:
@@ -75,22 +109,42 @@ class Photographer final : public QObject {
       showWizard(*step);
       return;
     }
-    const QString folder = work_.filePath("duck");
-    bench_.runDemo("duck", kPictureViews, folder);
+    const QString object = QString::fromStdString(options.object);
+    bench_.runDemo(object, kPictureViews, work_.filePath(object));
     if (options.scene == "scan") {
       connect(&bench_.controller(), &ScanController::factsChanged, this,
               [this](const ScanFacts& facts) {
                 if (facts.views_done >= kPictureShare * kPictureViews) takeSoon();
               });
     } else {
-      connect(&bench_.controller(), &ScanController::meshMade, this, [this] {
-        bench_.window().work_page->scene_view->fit();
-        takeSoon();
-      });
+      connect(&bench_.controller(), &ScanController::meshMade, this,
+              [this, scene = options.scene] { showSurface(scene); });
     }
   }
 
  private:
+  void showSurface(const std::string& scene) {
+    WorkPage* page = bench_.window().work_page;
+    page->scene_view->fit();
+    if (scene == "clean") {
+      connect(&bench_.controller().editor(), &SurfaceEditor::previewMade, this,
+              [this] { takeSoon(); });
+      connect(&bench_.controller().editor(), &SurfaceEditor::previewRefused, this,
+              [](const Error& error) { QApplication::exit(failWith(error.sentence())); });
+      page->clean_panel->choose(pictureCleaning(*bench_.controller().mesh()));
+    } else if (scene == "measure") {
+      connect(&bench_.measures(), &MeasureController::changed, this,
+              [this](const std::vector<Measurement>& measured) {
+                if (!measured.empty()) takeSoon();
+              });
+      page->model_tools->measure->setChecked(true);
+      for (const ScenePick& pick : widestPicks(*bench_.controller().mesh())) {
+        bench_.measures().pick(pick, bench_.controller().mesh());
+      }
+    } else {
+      takeSoon();
+    }
+  }
   // A page of the calibration wizard, when it shows what it is there for.
   void showWizard(WizardStep step) {
     CalibrationPanel* panel = bench_.window().work_page->calibration_panel;
@@ -127,7 +181,9 @@ class Photographer final : public QObject {
   }
   void take() {
     bench_.window().work_page->scene_view->picture();
-    saved_ = bench_.window().grab().save(file_);
+    constexpr int kSmallest = 0;  // for PNG: the same picture in the fewest bytes
+    const int quality = file_.endsWith(".png") ? kSmallest : -1;
+    saved_ = bench_.window().grab().save(file_, nullptr, quality);
     connect(&bench_.controller(), &ScanController::quiet, this, [this] {
       QApplication::exit(
           saved_ ? 0 : failWith("The picture could not be written. Is its folder writable?"));
@@ -142,10 +198,29 @@ class Photographer final : public QObject {
   bool saved_ = false;
 };
 
+// What is wrong with the words of a screenshot; empty when nothing is.
+std::string wrongWord(const GuiOptions& options) {
+  constexpr std::array kScenes = {"start", "scan", "mesh", "clean", "measure"};
+  const bool known = wizardStep(options.scene) ||
+                     std::find(kScenes.begin(), kScenes.end(), options.scene) != kScenes.end();
+  if (!known) {
+    return "There is no such scene. Give --scene start, focus, target, calibrate, turn, verdict, "
+           "scan, mesh, clean or measure.";
+  }
+  const std::vector<std::string>& objects = objectNames();
+  if (std::find(objects.begin(), objects.end(), options.object) == objects.end()) {
+    return "There is no such object. Give --object duck, mouse, cube, vase, bowl or plain.";
+  }
+  if (options.theme != "light" && options.theme != "dark") {
+    return "There is no such theme. Give --theme light or dark.";
+  }
+  return {};
+}
+
 int takeScreenshot(const GuiOptions& options) {
   RigOptions rig;
   rig.sim_speed = kPictureSpeed;
-  applyTheme(*qApp, ThemeChoice::kLight);
+  applyTheme(*qApp, options.theme == "dark" ? ThemeChoice::kDark : ThemeChoice::kLight);
   Workbench bench(rig);
   const Photographer photographer(bench, options);
   return QApplication::exec();
@@ -155,13 +230,11 @@ int takeScreenshot(const GuiOptions& options) {
 
 int runGui(int argc, char** argv, const GuiOptions& options) {
   const bool pictures = !options.screenshot.empty();
-  constexpr std::array kScenes = {"start", "scan", "mesh"};
-  if (pictures && !wizardStep(options.scene) &&
-      std::find(kScenes.begin(), kScenes.end(), options.scene) == kScenes.end()) {
-    failWith(
-        "There is no such scene. Give --scene start, focus, target, calibrate, turn, verdict, scan "
-        "or mesh.");
-    return 2;
+  if (pictures) {
+    if (const std::string problem = wrongWord(options); !problem.empty()) {
+      failWith(problem);
+      return 2;
+    }
   }
   if (pictures && !hasDisplay()) qputenv("QT_QPA_PLATFORM", "offscreen");
   if (!hasDisplay()) {

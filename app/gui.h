@@ -11,8 +11,11 @@ namespace gyre {
 struct GuiOptions {
   std::filesystem::path open;        // a scan or a model to begin with; empty: the start page
   std::filesystem::path screenshot;  // draws one scene into this file and ends; empty: a window
-  std::string scene;                 // of the screenshot: start, scan or mesh
-  std::stop_token stop;              // requested by a signal: the window closes as by hand
+  std::string scene;            // of the screenshot: start, scan, mesh, clean, measure or a page
+                                // of the calibration wizard
+  std::string object = "duck";  // on the table of the screenshot
+  std::string theme = "light";  // of the screenshot: light or dark
+  std::stop_token stop;         // requested by a signal: the window closes as by hand
 };
 
 // Opens the window and returns its exit code when it is closed: 0, or 1 with a sentence on standard

@@ -26,12 +26,16 @@ std::optional<GuiOptions> guiOptions(const std::vector<std::string>& words) {
     options.open = words[0];
     return options;
   }
-  if (words.size() != 4) return std::nullopt;
+  if (words.size() % 2 != 0) return std::nullopt;
   for (std::size_t i = 0; i < words.size(); i += 2) {
     if (words[i] == "--screenshot") {
       options.screenshot = words[i + 1];
     } else if (words[i] == "--scene") {
       options.scene = words[i + 1];
+    } else if (words[i] == "--object") {
+      options.object = words[i + 1];
+    } else if (words[i] == "--theme") {
+      options.theme = words[i + 1];
     } else {
       return std::nullopt;
     }

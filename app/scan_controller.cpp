@@ -41,6 +41,8 @@ ScanController::ScanController(RigOptions options, QObject* parent)
   connect(&compute_jobs_, &JobRunner::progressed, this, &ScanController::progressed);
   connect(&devices_, &DeviceSession::idle, this, &ScanController::noteIdle);
   connect(&compute_jobs_, &JobRunner::idle, this, &ScanController::noteIdle);
+  connect(&editor_, &SurfaceEditor::idle, this, &ScanController::noteIdle);
+  connect(&editor_, &SurfaceEditor::stopRequested, this, &ScanController::stopSurface);
 }
 
 ScanController::~ScanController() {
@@ -194,7 +196,10 @@ void ScanController::run(ScanBegin begin, const ScanRequest& request) {
   auto result = std::make_shared<Outcome>();
   live_ = live;
   folder_ = request.folder;
-  mesh_ = nullptr;
+  cloud_ = nullptr;
+  alpha_shape_.reset();
+  editor_.clear();
+  Q_EMIT modelChanged();
   facts_ = {};
   facts_.views = request.views;
   clock_.start();
@@ -264,6 +269,7 @@ void ScanController::finished(const Result<void>& outcome, const std::shared_ptr
   setPhase(ScanPhase::kDone);
   Q_EMIT factsChanged(facts_);
   Q_EMIT cloudGrew(cloud_);
+  Q_EMIT modelChanged();
   showMesh(result);
 }
 
@@ -284,7 +290,9 @@ void ScanController::resume() {
 void ScanController::stop() {
   if (isCapturing(phase_)) setPhase(ScanPhase::kStopping);
   devices_.requestStop();
+  next_surface_.reset();
   compute_jobs_.requestStop();
+  editor_.requestStop();
 }
 
 void ScanController::shutDown() {
@@ -295,7 +303,7 @@ void ScanController::shutDown() {
 }
 
 void ScanController::noteIdle() {
-  if (devices_.busy() || compute_jobs_.busy()) return;
+  if (devices_.busy() || compute_jobs_.busy() || editor_.busy()) return;
   Q_EMIT rested();
   if (shutting_down_) Q_EMIT quiet();
 }

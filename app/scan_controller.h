@@ -13,6 +13,7 @@
 #include "app/job_runner.h"
 #include "app/latest.h"
 #include "app/scan_session.h"
+#include "app/surface_editor.h"
 #include "app/surface_job.h"
 #include "core/scan/calibration_record.h"
 #include "core/scan/mesh.h"
@@ -46,7 +47,9 @@ class ScanController final : public QObject {
   const std::optional<CalibrationRecord>& calibration() const { return calibration_; }
   bool hasEmptyTable() const { return empty_table_.has_value(); }
   const PointCloudPtr& cloud() const { return cloud_; }
-  const MeshPtr& mesh() const { return mesh_; }
+  // The surface as it stands after all steps that were applied and not undone; null without one.
+  MeshPtr mesh() const { return editor_.now() != nullptr ? editor_.now()->mesh : nullptr; }
+  SurfaceEditor& editor() { return editor_; }
   const std::filesystem::path& folder() const { return folder_; }
 
  public Q_SLOTS:
@@ -57,7 +60,9 @@ class ScanController final : public QObject {
   void pause();
   void resume();
   void stop();
-  void makeMesh(gyre::MeshMethod method, double gap_size_mm);  // 0: chosen by the program
+  // 0: chosen by the program. One step of the editor's history; while a gap size is being dragged
+  // all its surfaces together are one.
+  void makeMesh(gyre::MeshMethod method, double gap_size_mm);
   void exportPoints(const std::filesystem::path& file);
   void exportMesh(const std::filesystem::path& file);  // as its ending says: writeModel()
   void openModel(const std::filesystem::path& scan_or_file);
@@ -72,6 +77,7 @@ class ScanController final : public QObject {
   void cloudGrew(const gyre::PointCloudPtr& cloud);
   void factsChanged(const gyre::ScanFacts& facts);
   void meshMade(const gyre::MeshPtr& mesh, const gyre::MeshHealth& health);
+  void modelChanged();  // cloud(), mesh() and folder() are those of another scan or file
   void written(const QString& path);
   void progressed(double fraction, const QString& stage);
   void failed(const gyre::Error& error);
@@ -97,6 +103,10 @@ class ScanController final : public QObject {
   void deliver();
   void finished(const Result<void>& outcome, const std::shared_ptr<Outcome>& result);
   void showMesh(const std::shared_ptr<Outcome>& result);
+  void takeSurface(const SurfaceWish& wish, const MadeSurface& made);
+  void makeNextSurface();
+  void stopSurface();
+  void takeOpened(const OpenedModel& opened);
   void compute(JobRunner::Job job, JobRunner::Done done);
   void exportBy(std::function<Result<void>()> write, const std::filesystem::path& file);
   void noteIdle();
@@ -106,9 +116,15 @@ class ScanController final : public QObject {
   std::filesystem::path reference_;  // belongs to the calibration; may be missing
   std::optional<EmptyTable> empty_table_;
   PointCloudPtr cloud_;
-  MeshPtr mesh_;
   std::shared_ptr<const AlphaShape> alpha_shape_;  // of cloud_, once it was asked for
   std::optional<SurfaceWish> next_surface_;        // the last, kept while another is being made
+  bool making_surface_ = false;
+  int surface_number_ = 0;  // of the newest that is wanted
+  int jobs_ = 0;            // of the compute thread that have not ended
+  int computing_ = 0;       // those of them that set the phase
+  ScanPhase phase_before_computing_ = ScanPhase::kIdle;
+  MeshPtr last_made_;  // by makeMesh(), and when it was asked for the last time
+  QElapsedTimer since_wish_;
   std::filesystem::path folder_;
   std::weak_ptr<Rig> stopped_rig_;  // on it the user stopped the last scan: it knows its angle
   ScanFacts facts_;
@@ -119,6 +135,7 @@ class ScanController final : public QObject {
   bool shutting_down_ = false;
   DeviceSession devices_;
   JobRunner compute_jobs_;
+  SurfaceEditor editor_;
 };
 
 }  // namespace gyre

@@ -15,6 +15,7 @@
 #include "core/base/median.h"
 #include "core/io/model_file.h"
 #include "core/io/scan_store.h"
+#include "core/io/visibility_file.h"
 #include "core/mesh/mesh_health.h"
 #include "core/sim/rig_json.h"
 
@@ -118,6 +119,11 @@ Result<OpenedModel> openScanOrModel(const std::filesystem::path& path, const Tas
   auto model = readMeshOrCloud(points);
   if (!model) return model.error();
   if (auto* cloud = std::get_if<PointCloud>(&*model)) {
+    // Closed surfaces follow the views that saw each point. Where the file is missing, or about
+    // other points, the cloud is shown all the same, as seen from nowhere.
+    if (!opened.scan_folder.empty()) {
+      (void)readVisibility(opened.scan_folder / "visibility.bin", *cloud);
+    }
     opened.cloud = std::make_shared<const PointCloud>(std::move(*cloud));
     if (mesh.empty() || !std::filesystem::exists(mesh, ignored)) return opened;
     model = readMeshOrCloud(mesh);

@@ -22,15 +22,49 @@ Result<Mesh> meshOfAlphaShape(const PointCloud& cloud, double gap_size_mm,
   return std::move(made->mesh);
 }
 
-Result<Mesh> meshOfSights(const PointCloud& cloud, const std::filesystem::path& folder,
-                          MeshMethod method, const Task& task) {
+// Kinds that make something of points alone; all others follow lines of sight.
+bool doesWithoutSights(MeshMethod method) {
+  return method == MeshMethod::kAuto || method == MeshMethod::kAdaptive ||
+         method == MeshMethod::kPoisson || method == MeshMethod::kWatertight;
+}
+
+std::string remarkWithoutSights(MeshMethod method) {
+  return method == MeshMethod::kAdaptive
+             ? "From where these points were seen is not known, so gaps may be bridged through "
+               "which a camera looked."
+             : "From where these points were seen is not known, so the surface is made of the "
+               "points alone and may stay open.";
+}
+
+Result<MadeSurface> surfaceOfSights(const PointCloud& cloud, const std::filesystem::path& folder,
+                                    MeshMethod method, const Task& task) {
   const auto sights = readSights(folder, cloud);
   if (!sights) return sights.error();
+  if (!*sights && !doesWithoutSights(method)) {
+    return Error{Error::Code::kInvalidInput,
+                 "This kind of surface follows the lines of sight of the points, and these are not "
+                 "known.",
+                 "Open the scan's folder instead of a file of points, or choose a surface that "
+                 "stays open."};
+  }
   MeshRequest request;
   request.method = method;
-  auto made = makeMesh(cloud, *sights, request, task);
-  if (!made) return made.error();
-  return std::move(made->mesh);
+  auto mesh = makeMesh(cloud, *sights, request, task);
+  if (!mesh) return mesh.error();
+  MadeSurface made;
+  made.mesh = std::make_shared<const Mesh>(std::move(mesh->mesh));
+  if (!*sights && method != MeshMethod::kPoisson) made.remark = remarkWithoutSights(method);
+  return made;
+}
+
+Result<MadeSurface> surfaceOfAlphaShape(const PointCloud& cloud, double gap_size_mm,
+                                        std::shared_ptr<const AlphaShape> shape, const Task& task) {
+  auto mesh = meshOfAlphaShape(cloud, gap_size_mm, shape, task);
+  if (!mesh) return mesh.error();
+  MadeSurface made;
+  made.mesh = std::make_shared<const Mesh>(std::move(*mesh));
+  made.alpha_shape = std::move(shape);
+  return made;
 }
 
 }  // namespace
@@ -38,14 +72,12 @@ Result<Mesh> meshOfSights(const PointCloud& cloud, const std::filesystem::path& 
 Result<MadeSurface> makeSurface(const PointCloud& cloud, const std::filesystem::path& folder,
                                 const SurfaceWish& wish,
                                 std::shared_ptr<const AlphaShape> alpha_shape, const Task& task) {
-  auto mesh = wish.method == MeshMethod::kAlpha
-                  ? meshOfAlphaShape(cloud, wish.gap_size_mm, alpha_shape, task)
-                  : meshOfSights(cloud, folder, wish.method, task);
-  if (!mesh) return mesh.error();
-  MadeSurface made;
-  made.health = meshHealth(*mesh);
-  made.mesh = std::make_shared<const Mesh>(std::move(*mesh));
-  made.alpha_shape = std::move(alpha_shape);
+  auto made = wish.method == MeshMethod::kAlpha
+                  ? surfaceOfAlphaShape(cloud, wish.gap_size_mm, alpha_shape, task)
+                  : surfaceOfSights(cloud, folder, wish.method, task);
+  if (!made) return made;
+  made->health = meshHealth(*made->mesh);
+  if (!made->alpha_shape) made->alpha_shape = std::move(alpha_shape);
   return made;
 }
 

@@ -10,6 +10,7 @@
 #include <QUrl>
 
 #include "app/calibration_wiring.h"
+#include "app/surface_wiring.h"
 #include "core/device/discovery.h"
 #include "core/scan/point_cloud.h"
 #include "ui/banner.h"
@@ -52,6 +53,7 @@ Workbench::Workbench(const RigOptions& rig)
   wireDevices();
   wireScan();
   wireResults();
+  wireSurface(*window_.work_page, controller_, measures_);
   wireFacts();
   wireCalibration(*window_.work_page, calibrations_, controller_);
   wireKeeping();
@@ -80,9 +82,17 @@ void Workbench::wireStart() {
     controller_.shutDown();
   });
   connect(&controller_, &ScanController::quiet, this, [this] {
-    window_.allowClose();
-    window_.close();
+    quiet_ = true;
+    closeWhenQuiet();
   });
+  connect(&measures_, &MeasureController::idle, this, &Workbench::closeWhenQuiet);
+}
+
+// What was measured last is on the disk before the window goes.
+void Workbench::closeWhenQuiet() {
+  if (!quiet_ || measures_.busy()) return;
+  window_.allowClose();
+  window_.close();
 }
 
 void Workbench::wireDevices() {
@@ -151,13 +161,6 @@ void Workbench::wireScan() {
 
 void Workbench::wireResults() {
   WorkPage* page = window_.work_page;
-  MeshPanel* mesh = page->mesh_panel;
-  connect(mesh, &MeshPanel::meshRequested, &controller_, &ScanController::makeMesh);
-  connect(mesh, &MeshPanel::coloursChosen, page->scene_view, &SceneView::setColours);
-  connect(mesh, &MeshPanel::pointsShown, page->scene_view,
-          [page] { page->scene_view->showMesh(nullptr); });
-  connect(mesh, &MeshPanel::surfaceShown, page->scene_view,
-          [this, page] { page->scene_view->showMesh(controller_.mesh()); });
   connect(page->export_panel, &ExportPanel::pointsExportRequested, &controller_,
           [this](const QString& path) { controller_.exportPoints(pathOf(path)); });
   connect(page->export_panel, &ExportPanel::meshExportRequested, &controller_,
@@ -168,17 +171,11 @@ void Workbench::wireResults() {
     page->banner->showNotice(tr("This computer has no program for \"%1\".").arg(path),
                              tr("Install a slicer or a viewer, or open the file from there."));
   });
-  connect(&controller_, &ScanController::meshMade, this,
-          [this, page](const MeshPtr& surface, const MeshHealth& health) {
-            page->scene_view->showMesh(surface);
-            page->mesh_panel->showHealth(health);
-            page->export_panel->showAvailable(
-                controller_.cloud() ? controller_.cloud()->points.size() : 0,
-                surface->triangles.size());
-            window_.showWork(Step::kMesh);
-            showSteps();
-            QTimer::singleShot(200, this, &Workbench::rememberScan);  // after it is on the screen
-          });
+  connect(&controller_, &ScanController::meshMade, this, [this] {
+    window_.showWork(Step::kMesh);
+    showSteps();
+    QTimer::singleShot(200, this, &Workbench::rememberScan);  // after it is on the screen
+  });
 }
 
 void Workbench::wireFacts() {
@@ -286,9 +283,7 @@ void Workbench::startScan() {
     panel->setFolder(settings_.newScanFolder(title_));
   }
   window_.work_page->banner->dismiss();
-  window_.work_page->scene_view->showMesh(nullptr);
   window_.work_page->scene_view->showCloud(nullptr);
-  window_.work_page->mesh_panel->showNoMesh();
   window_.work_page->export_panel->setFolder(panel->folder());
   window_.showWork(Step::kScan);
   QDir().mkpath(QFileInfo(panel->folder()).absolutePath());
@@ -299,8 +294,6 @@ void Workbench::open(const QString& path) {
   title_ = QFileInfo(path).completeBaseName();
   window_.work_page->banner->dismiss();
   window_.showWork(Step::kMesh);
-  window_.work_page->scene_view->showMesh(nullptr);
-  window_.work_page->mesh_panel->showNoMesh();
   controller_.openModel(pathOf(path));
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/calibration_controller.h"
 #include "app/job_runner.h"
+#include "app/measure_controller.h"
 #include "app/scan_controller.h"
 #include "app/settings.h"
 #include "ui/main_window.h"
@@ -21,6 +22,7 @@ class Workbench final : public QObject {
 
   MainWindow& window() { return window_; }
   ScanController& controller() { return controller_; }
+  MeasureController& measures() { return measures_; }
   CalibrationController& calibrations() { return calibrations_; }
 
   // A whole scan on the simulated rig: connects, looks at the empty table, scans.
@@ -29,6 +31,7 @@ class Workbench final : public QObject {
 
  private:
   void wireStart();
+  void closeWhenQuiet();
   void wireDevices();
   void wireKeeping();
   void wireScan();
@@ -47,12 +50,14 @@ class Workbench final : public QObject {
   MainWindow window_;
   ScanController controller_;
   CalibrationController calibrations_;
+  MeasureController measures_;
   JobRunner small_jobs_;  // lists devices, writes thumbnails
   QString device_id_;
   QString kept_file_;  // of the calibration in use
   QString title_;
   bool placed_ = false;
-  bool demo_ = false;  // the demo goes on by itself until its scan has started
+  bool quiet_ = false;  // nothing of the scan goes on, and the window was told to close
+  bool demo_ = false;   // the demo goes on by itself until its scan has started
 };
 
 }  // namespace gyre

@@ -10,6 +10,7 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPointPicker.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -97,7 +98,7 @@ void CloudActors::addChunk() {
 
 void CloudActors::fill(Chunk& chunk, std::size_t first) const {
   const std::size_t count = std::min(kChunkPoints, size() - first);
-  const std::size_t stride = detail_ == CloudDetail::kThinned ? size() / kMovingBudget + 1 : 1;
+  const std::size_t stride = this->stride();
   vtkNew<vtkPoints> points;
   vtkNew<vtkUnsignedCharArray> colours;
   vtkNew<vtkCellArray> cells;
@@ -118,6 +119,28 @@ void CloudActors::fill(Chunk& chunk, std::size_t first) const {
   chunk.shape->SetPoints(points);
   chunk.shape->SetVerts(cells);
   chunk.shape->GetPointData()->SetScalars(colours);
+}
+
+std::size_t CloudActors::stride() const {
+  return detail_ == CloudDetail::kThinned ? size() / kMovingBudget + 1 : 1;
+}
+
+std::optional<ScenePick> CloudActors::pick(vtkRenderer& renderer, const Eigen::Vector2d& at_px) {
+  constexpr double kTolerance = 0.006;  // of the window's diagonal
+  if (size() == 0) return std::nullopt;
+  vtkNew<vtkPointPicker> picker;
+  picker->SetTolerance(kTolerance);
+  picker->PickFromListOn();
+  for (const auto& chunk : chunks_) picker->AddPickList(chunk->actor);
+  if (picker->Pick(at_px.x(), at_px.y(), 0.0, &renderer) == 0) return std::nullopt;
+  for (std::size_t i = 0; i < chunks_.size(); ++i) {
+    if (picker->GetActor() != chunks_[i]->actor) continue;
+    const std::size_t index =
+        i * kChunkPoints + static_cast<std::size_t>(picker->GetPointId()) * stride();
+    if (index >= size()) return std::nullopt;
+    return ScenePick{ScenePick::On::kPoint, index, cloud_->points[index].position};
+  }
+  return std::nullopt;
 }
 
 void CloudActors::setDetail(CloudDetail detail) {

@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/scan/point_cloud.h"
+#include "ui/scene_pick.h"
 
 class vtkRenderer;
 
@@ -34,6 +36,9 @@ class CloudActors {
   void setVisible(CloudVisibility visibility);
   void setPointSizePx(float size_px);
 
+  // The point that is seen within a few pixels of that one (device pixels, y up).
+  std::optional<ScenePick> pick(vtkRenderer& renderer, const Eigen::Vector2d& at_px);
+
   std::size_t size() const { return cloud_ ? cloud_->points.size() : 0; }
   Bounds bounds() const { return bounds_; }
   // The uncertainty drawn in the last colour of the scale. [mm]
@@ -44,6 +49,7 @@ class CloudActors {
 
   void addChunk();
   void fill(Chunk& chunk, std::size_t first) const;
+  std::size_t stride() const;  // of the points that are shown
 
   vtkRenderer& renderer_;
   std::vector<std::unique_ptr<Chunk>> chunks_;

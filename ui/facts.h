@@ -55,6 +55,17 @@ struct RecentScan {
   QString thumbnail;     // file, may be missing
 };
 
+// What can be done to the surface's history now.
+struct EditFacts {
+  QString undo;  // what would be undone, in words; empty: nothing
+  QString redo;
+  bool previewing = false;  // a clean-up is shown, or is coming, that is not applied
+  bool has_before = false;  // there is something to compare with
+};
+
+// Which side of the preview, or of the last step, the 3D view shows.
+enum class EditSide { kBefore, kAfter };
+
 // "1:05", "2:01:05".
 QString clockText(double seconds);
 

@@ -15,6 +15,7 @@
 #include "ui/banner.h"
 #include "ui/job_bar.h"
 #include "ui/log_panel.h"
+#include "ui/model_tools.h"
 #include "ui/scene_view.h"
 #include "ui/start_page.h"
 #include "ui/work_page.h"
@@ -59,7 +60,17 @@ void MainWindow::buildMenus() {
                   [this] { showWork(Step::kExport); });
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence::Quit, this, &MainWindow::close);
+  buildEditMenu();
   buildViewMenu();
+}
+
+// The same actions as over the model, so that keys work and menus tell them.
+void MainWindow::buildEditMenu() {
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  const ModelTools& tools = *work_page->model_tools;
+  edit->addActions({tools.undo, tools.redo});
+  edit->addSeparator();
+  edit->addActions({tools.before, tools.hatching, tools.measure});
 }
 
 void MainWindow::buildViewMenu() {

@@ -51,6 +51,7 @@ class MainWindow final : public QMainWindow {
 
  private:
   void buildMenus();
+  void buildEditMenu();
   void buildViewMenu();
   void buildShortcuts();
   void askStop();

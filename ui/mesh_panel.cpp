@@ -8,12 +8,13 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QTimer>
 
+#include "ui/health_words.h"
 #include "ui/parts.h"
+#include "ui/surface_kinds.h"
 
 namespace gyre {
 namespace {
@@ -45,6 +46,7 @@ MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
   addViewCard(layout);
   layout->addStretch(1);
   connectAll();
+  offer();
   showMethod();
   showNoMesh();
 }
@@ -55,9 +57,9 @@ void MeshPanel::addSurfaceCard(QVBoxLayout* layout) {
   card->addWidget(makeLabel(tr("Surface"), "heading"));
   auto* form = new QFormLayout;
   method_ = new QComboBox;
-  method_->addItem(tr("Closed body"), static_cast<int>(MeshMethod::kAuto));
-  method_->addItem(tr("Open where nobody looked"), static_cast<int>(MeshMethod::kAlpha));
-  method_->addItem(tr("Closed skin, coarser"), static_cast<int>(MeshMethod::kWatertight));
+  for (const MeshMethod kind : offeredSurfaceKinds()) {
+    method_->addItem(surfaceKind(kind).name, static_cast<int>(kind));
+  }
   method_->setAccessibleName(tr("Kind of surface"));
   form->addRow(tr("Kind"), method_);
   gap_mm_ = new QDoubleSpinBox;
@@ -120,6 +122,8 @@ void MeshPanel::connectAll() {
   });
 }
 
+bool MeshPanel::showsSurface() const { return show_->currentIndex() == 2; }
+
 MeshMethod MeshPanel::method() const {
   return static_cast<MeshMethod>(method_->currentData().toInt());
 }
@@ -129,19 +133,7 @@ void MeshPanel::showMethod() {
   gap_mm_->setEnabled(open);
   gap_slider_->setEnabled(open);
   follows_gap_ = false;
-  switch (method()) {
-    case MeshMethod::kAlpha:
-      method_words_->setText(tr("Wraps the points; gaps wider than the gap size stay open."));
-      break;
-    case MeshMethod::kWatertight:
-      method_words_->setText(
-          tr("Lays a skin around the closed body: always free of crossings, for printers that "
-             "refuse the other."));
-      break;
-    default:
-      method_words_->setText(
-          tr("Follows every line of sight: solid where no camera saw through, ready to print."));
-  }
+  method_words_->setText(surfaceKind(method()).sentence);
 }
 
 void MeshPanel::request() {
@@ -149,28 +141,41 @@ void MeshPanel::request() {
   Q_EMIT meshRequested(method(), follows_gap_ ? gap_mm_->value() : 0.0);
 }
 
-void MeshPanel::showPhase(ScanPhase phase) { make_->setEnabled(phase == ScanPhase::kDone); }
+void MeshPanel::showSurface(MeshMethod method, double gap_size_mm) {
+  const QSignalBlocker quiet_method(method_);
+  const QSignalBlocker quiet_gap(gap_mm_);
+  const QSignalBlocker quiet_slider(gap_slider_);
+  pause_->stop();
+  method_->setCurrentIndex(method_->findData(static_cast<int>(method)));
+  showMethod();
+  if (method != MeshMethod::kAlpha) return;
+  gap_mm_->setValue(gap_size_mm);
+  gap_slider_->setValue(stepOf(gap_size_mm));
+  follows_gap_ = true;
+}
+
+void MeshPanel::showPhase(ScanPhase phase) {
+  phase_ = phase;
+  offer();
+}
+
+void MeshPanel::showPoints(std::size_t points) {
+  points_ = points;
+  offer();
+}
+
+void MeshPanel::offer() {
+  const bool works = isCapturing(phase_) || phase_ == ScanPhase::kFinishing ||
+                     phase_ == ScanPhase::kMeshing || phase_ == ScanPhase::kEmptyTable;
+  make_->setEnabled(points_ > 0 && !works);
+}
 
 void MeshPanel::showHealth(const MeshHealth& health) {
-  const QLocale locale;
-  QString text = tr("%1 vertices, %2 triangles, %3 cm²")
-                     .arg(locale.toString(static_cast<qulonglong>(health.vertices)),
-                          locale.toString(static_cast<qulonglong>(health.triangles)))
-                     .arg(health.area_mm2 / 100.0, 0, 'f', 1);
-  text += health.closed ? tr("\n✓ closed, %1 cm³").arg(health.volume_mm3 / 1000.0, 0, 'f', 2)
-                        : tr("\n⚠ open, rims of holes: %1").arg(health.holes);
-  text += health.manifold && health.non_manifold_vertices == 0
-              ? tr("\n✓ touches itself nowhere")
-              : tr("\n⚠ touches itself at %1 places")
-                    .arg(health.non_manifold_edges + health.non_manifold_vertices);
-  text += health.components == 1 ? tr("\n✓ one piece") : tr("\n⚠ %1 pieces").arg(health.components);
-  if (health.area_mm2 > 0.0 && health.unseen_area_mm2 > 0.0) {
-    text += tr("\n%1 % of the area was not seen by any camera")
-                .arg(100.0 * health.unseen_area_mm2 / health.area_mm2, 0, 'f', 1);
-  }
-  health_->setText(text);
-  show_->setCurrentIndex(2);
+  health_->setText(healthText(health));
+  lookAtSurface();
 }
+
+void MeshPanel::lookAtSurface() { show_->setCurrentIndex(2); }
 
 void MeshPanel::showNoMesh() {
   health_->setText(tr("No surface yet."));

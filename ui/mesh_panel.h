@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include <QWidget>
 
 #include "core/scan/mesh_health.h"
@@ -25,9 +27,16 @@ class MeshPanel final : public QWidget {
  public:
   explicit MeshPanel(QWidget* parent = nullptr);
 
+  // False while the points are to be seen in the 3D view.
+  bool showsSurface() const;
+
  public Q_SLOTS:
   void showPhase(gyre::ScanPhase phase);
+  void showPoints(std::size_t points);  // how many there are to make a surface of
+  // Shows the choice that made the surface, without asking for another.
+  void showSurface(gyre::MeshMethod method, double gap_size_mm);
   void showHealth(const gyre::MeshHealth& health);
+  void lookAtSurface();  // as if chosen in the list of views
   void showNoMesh();
 
  Q_SIGNALS:
@@ -43,6 +52,7 @@ class MeshPanel final : public QWidget {
   MeshMethod method() const;
   void showMethod();
   void request();
+  void offer();
 
   QComboBox* method_;
   QLabel* method_words_;
@@ -53,6 +63,8 @@ class MeshPanel final : public QWidget {
   QPushButton* make_;
   QComboBox* show_;
   QLabel* health_;
+  ScanPhase phase_ = ScanPhase::kIdle;
+  std::size_t points_ = 0;
 };
 
 }  // namespace gyre

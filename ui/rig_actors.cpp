@@ -82,7 +82,6 @@ void buildGrid(vtkActor& actor) {
     lines.add(rimPoint(i, kRadius, kGridHeight_mm), rimPoint(i + 1, kRadius, kGridHeight_mm));
   }
   lines.giveTo(actor);
-  actor.GetProperty()->SetOpacity(0.28);
 }
 
 void buildAxis(vtkActor& actor) {
@@ -108,7 +107,7 @@ RigActors::RigActors(vtkRenderer& renderer) {
     actor->PickableOff();
     renderer.AddActor(actor);
   }
-  setLineColour({0.35, 0.40, 0.46});
+  setColours({0.35, 0.40, 0.46}, {0.78, 0.80, 0.83});
 }
 
 RigActors::~RigActors() = default;
@@ -145,11 +144,9 @@ void RigActors::showCamera(const Calibration& calibration) {
   lines.add(tip, corners[1]);
   lines.giveTo(*camera_);
   sight.giveTo(*sight_);
-  for (vtkActor* actor : {camera_.Get(), sight_.Get()}) {
-    actor->GetProperty()->SetColor(0.90, 0.55, 0.18);
-  }
+  camera_->GetProperty()->SetColor(0.90, 0.55, 0.18);
+  sight_->GetProperty()->SetColor(0.88, 0.68, 0.44);
   camera_->GetProperty()->SetLineWidth(2.0F);
-  sight_->GetProperty()->SetOpacity(0.45);
 }
 
 void RigActors::setTableAngleRad(double angle_rad) {
@@ -167,10 +164,10 @@ Bounds RigActors::cameraBounds() const {
   return bounds;
 }
 
-void RigActors::setLineColour(const std::array<double, 3>& rgb) {
-  for (vtkActor* actor : {platter_.Get(), grid_.Get()}) {
-    actor->GetProperty()->SetColor(rgb[0], rgb[1], rgb[2]);
-  }
+void RigActors::setColours(const std::array<double, 3>& platter,
+                           const std::array<double, 3>& grid) {
+  platter_->GetProperty()->SetColor(platter[0], platter[1], platter[2]);
+  grid_->GetProperty()->SetColor(grid[0], grid[1], grid[2]);
 }
 
 }  // namespace gyre

@@ -25,7 +25,8 @@ class RigActors {
   void setTableAngleRad(double angle_rad);
   // What the drawn camera fills now; empty while it is hidden. [mm]
   Bounds cameraBounds() const;
-  void setLineColour(const std::array<double, 3>& rgb);
+  // RGB in [0, 1]. Lines are drawn opaque: some software renderers blend lines wrongly.
+  void setColours(const std::array<double, 3>& platter, const std::array<double, 3>& grid);
 
   static constexpr double kPlatterRadius_mm = 90.0;
 

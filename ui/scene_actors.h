@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <vtkNew.h>
 
 #include "core/scan/calibration.h"
 #include "core/scan/mesh.h"
 #include "core/scan/point_cloud.h"
 #include "ui/cloud_actors.h"
+#include "ui/crop_actor.h"
+#include "ui/mesh_actor.h"
 #include "ui/rig_actors.h"
+#include "ui/scene_pick.h"
 #include "ui/target_actor.h"
 
-class vtkActor;
 class vtkRenderer;
 class vtkRenderWindow;
 
@@ -35,9 +39,15 @@ class SceneActors {
   const CloudActors& cloud() const { return cloud_; }
   RigActors& rig() { return rig_; }
   TargetActor& target() { return target_; }
+  MeshActor& mesh() { return mesh_; }
+  CropActor& crop() { return crop_; }
 
   // Shows the mesh in place of the cloud; null shows the cloud again.
   void showMesh(const MeshPtr& mesh);
+
+  // What is seen at a pixel of the window (device pixels, y up): of the mesh, or of the cloud while
+  // that is shown. Nothing beside the object.
+  std::optional<ScenePick> pick(const Eigen::Vector2d& at_px);
 
   // What the object fills; the platter while there is nothing of it. [mm]
   Bounds objectBounds() const;
@@ -49,11 +59,11 @@ class SceneActors {
 
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkRenderer> corner_renderer_;
-  vtkNew<vtkActor> mesh_;
+  MeshActor mesh_;
   CloudActors cloud_;
   RigActors rig_;
   TargetActor target_;
-  Bounds mesh_bounds_;
+  CropActor crop_;
 };
 
 }  // namespace gyre

@@ -76,6 +76,15 @@ double SceneCamera::viewHeightMm() const {
   return 2.0 * distance_mm_ * std::tan(0.5 * kViewAngle_rad);
 }
 
+Eigen::Vector2d SceneCamera::seenAt(const Eigen::Vector3d& position) const {
+  constexpr double kNearest_mm = 1e-3;
+  const Eigen::Vector3d from_focus = position - focus_;
+  const Eigen::Vector3d up = towardsEye().cross(rightward());
+  const double depth_mm = std::max(distance_mm_ - from_focus.dot(towardsEye()), kNearest_mm);
+  const double height_mm = 2.0 * depth_mm * std::tan(0.5 * kViewAngle_rad);
+  return {from_focus.dot(rightward()) / height_mm, -from_focus.dot(up) / height_mm};
+}
+
 void SceneCamera::applyTo(vtkCamera& camera) const {
   const Eigen::Vector3d eye = focus_ + distance_mm_ * towardsEye();
   camera.SetViewAngle(degFromRad(kViewAngle_rad));

@@ -24,6 +24,10 @@ class SceneCamera {
   // Millimetres that the view's height shows at the distance of the point looked at.
   double viewHeightMm() const;
 
+  // Where a place is seen: right and down from the view's middle. What lies behind the eye is seen
+  // at the edge of infinity.
+  Eigen::Vector2d seenAt(const Eigen::Vector3d& position) const;
+
   void applyTo(vtkCamera& camera) const;
 
  private:

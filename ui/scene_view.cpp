@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -75,7 +76,8 @@ void SceneView::fillCloud() {
 }
 
 void SceneView::showMesh(const MeshPtr& mesh) {
-  if (canvas_ == nullptr) return;
+  if (canvas_ == nullptr || mesh == mesh_) return;
+  mesh_ = mesh;
   actors_->showMesh(mesh);
   redraw();
 }
@@ -107,6 +109,37 @@ void SceneView::setColours(CloudColours colours) {
   showCloud(cloud_);
 }
 
+void SceneView::showCrop(const CropOptions& crop) {
+  if (canvas_ == nullptr) return;
+  actors_->crop().show(crop, actors_->objectBounds());
+  redraw();
+}
+
+void SceneView::setHatching(Hatching hatching) {
+  actors_->mesh().setHatching(hatching);
+  redraw();
+}
+
+void SceneView::setUnseenShare(double share) {
+  unseen_share_ = share;
+  redraw();
+}
+
+void SceneView::setPicking(Picking picking) {
+  picking_ = picking;
+  if (canvas_ == nullptr) return;
+  if (picking == Picking::kOn) {
+    canvas_->widget()->setCursor(Qt::CrossCursor);
+  } else {
+    canvas_->widget()->unsetCursor();
+  }
+}
+
+void SceneView::showLines(std::vector<SceneLine> lines) {
+  lines_ = std::move(lines);
+  redraw();
+}
+
 void SceneView::lookFrom(ViewSide side) {
   camera_.lookFrom(side);
   redraw();
@@ -128,6 +161,18 @@ void SceneView::redraw() {
   overlay_->setScale(camera_.viewHeightMm(), colours_ == CloudColours::kUncertainty
                                                  ? actors_->cloud().worstShownSigmaMm()
                                                  : 0.0);
+  actors_->mesh().setPixelRatio(devicePixelRatioF());
+  overlay_->setUnseenShare(actors_->mesh().hatches() ? unseen_share_ : 0.0);
+  const auto seen_at = [this](const Eigen::Vector3d& position) {
+    const Eigen::Vector2d at = camera_.seenAt(position);
+    return QPointF(0.5 * width() + at.x() * height(), 0.5 * height() + at.y() * height());
+  };
+  std::vector<OverlayLine> lines;
+  lines.reserve(lines_.size());
+  for (const SceneLine& line : lines_) {
+    lines.push_back({seen_at(line.from), seen_at(line.to), line.text});
+  }
+  overlay_->setLines(std::move(lines));
   canvas_->requestRender();
 }
 
@@ -148,13 +193,20 @@ void SceneView::resizeEvent(QResizeEvent* event) {
   if (overlay_ == nullptr) return;
   overlay_->setGeometry(rect());
   overlay_->raise();
+  redraw();
 }
 
 bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
     case QEvent::MouseButtonPress:
       last_mouse_ = static_cast<QMouseEvent*>(event)->position();
+      pressed_at_ = last_mouse_;
       return false;  // the canvas takes the focus
+    case QEvent::MouseButtonRelease:
+      if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton) {
+        click(static_cast<QMouseEvent*>(event)->position());
+      }
+      return false;
     case QEvent::MouseMove:
       drag(*static_cast<QMouseEvent*>(event));
       return true;
@@ -168,6 +220,17 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
       break;
   }
   return QWidget::eventFilter(watched, event);
+}
+
+// A press and a release at one place; what is dragged between them turns the view.
+void SceneView::click(const QPointF& at) {
+  constexpr double kStill_px = 4.0;
+  if (picking_ == Picking::kOff) return;
+  if (std::hypot(at.x() - pressed_at_.x(), at.y() - pressed_at_.y()) > kStill_px) return;
+  const double ratio = devicePixelRatioF();
+  if (const auto pick = actors_->pick({ratio * at.x(), ratio * (height() - 1.0 - at.y())})) {
+    Q_EMIT picked(*pick);
+  }
 }
 
 void SceneView::drag(const QMouseEvent& event) {

@@ -3,16 +3,20 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <QTimer>
 #include <QWidget>
 
+#include "core/mesh/clean/options.h"
 #include "core/scan/calibration.h"
 #include "core/scan/mesh.h"
 #include "core/scan/point_cloud.h"
 #include "core/scan/target.h"
 #include "ui/cloud_actors.h"
+#include "ui/mesh_actor.h"
 #include "ui/scene_camera.h"
+#include "ui/scene_pick.h"
 
 class QMouseEvent;
 class QWheelEvent;
@@ -45,9 +49,17 @@ class SceneView final : public QWidget {
   void showTarget(const gyre::Target& target, const gyre::Rigid3& table_from_target);
   void hideTarget();
   void setColours(gyre::CloudColours colours);
+  void showCrop(const gyre::CropOptions& crop);  // where it cuts; at its limits: nothing
+  void setHatching(gyre::Hatching hatching);
+  void setUnseenShare(double share);  // of the mesh's area, for the legend. [0, 1]
+  void setPicking(gyre::Picking picking);
+  void showLines(std::vector<gyre::SceneLine> lines);
   void lookFrom(gyre::ViewSide side);
   void fit();
   void fitRig();
+
+ Q_SIGNALS:
+  void picked(const gyre::ScenePick& pick);  // a click while picking is on; never beside the object
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -61,6 +73,7 @@ class SceneView final : public QWidget {
   void drag(const QMouseEvent& event);
   void wheel(const QWheelEvent& event);
   bool key(int key);
+  void click(const QPointF& at);
   void beginMotion();
   void endMotion();
 
@@ -69,10 +82,15 @@ class SceneView final : public QWidget {
   std::unique_ptr<SceneActors> actors_;
   SceneCamera camera_;
   PointCloudPtr cloud_;
+  MeshPtr mesh_;  // null while the cloud is shown
   CloudColours colours_ = CloudColours::kNatural;
   QTimer fill_timer_;
   QTimer rest_timer_;
   QPointF last_mouse_;
+  QPointF pressed_at_;
+  Picking picking_ = Picking::kOff;
+  double unseen_share_ = 0.0;
+  std::vector<SceneLine> lines_;
 };
 
 }  // namespace gyre

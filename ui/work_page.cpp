@@ -3,29 +3,31 @@
 #include "ui/work_page.h"
 
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QToolButton>
 
 #include "ui/banner.h"
 #include "ui/calibration_panel.h"
 #include "ui/camera_view.h"
+#include "ui/clean_panel.h"
 #include "ui/device_panel.h"
 #include "ui/export_panel.h"
 #include "ui/job_bar.h"
+#include "ui/measure_panel.h"
 #include "ui/mesh_panel.h"
+#include "ui/model_tools.h"
+#include "ui/panel_scroll.h"
 #include "ui/parts.h"
 #include "ui/place_panel.h"
 #include "ui/scan_panel.h"
 #include "ui/scene_view.h"
 #include "ui/step_list.h"
-#include "ui/theme.h"
 
 namespace gyre {
 namespace {
 
 constexpr int kStepsWidth_px = 324;
+constexpr int kEditingWidth_px = 316;
 
 // A view in a card, under a line that names it.
 QFrame* framed(const QString& title, const QString& legend, QWidget* view, QWidget* tool) {
@@ -47,15 +49,6 @@ QFrame* framed(const QString& title, const QString& legend, QWidget* view, QWidg
   layout->addLayout(row);
   layout->addWidget(view, 1);
   return frame;
-}
-
-QScrollArea* scrolled(QWidget* panel) {
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(panel);
-  return scroll;
 }
 
 }  // namespace
@@ -95,7 +88,7 @@ QWidget* WorkPage::buildSteps() {
        {static_cast<QWidget*>(device_panel), static_cast<QWidget*>(calibration_panel),
         static_cast<QWidget*>(place_panel), static_cast<QWidget*>(scan_panel),
         static_cast<QWidget*>(mesh_panel), static_cast<QWidget*>(export_panel)}) {
-    panels_->addWidget(scrolled(panel));
+    panels_->addWidget(new PanelScroll(panel));
   }
   layout->addWidget(panels_, 1);
   connect(steps, &StepList::stepChosen, this, &WorkPage::showStep);
@@ -105,24 +98,45 @@ QWidget* WorkPage::buildSteps() {
 QWidget* WorkPage::buildViews() {
   camera_view = new CameraView;
   scene_view = new SceneView;
-  auto* fit = new QToolButton;
-  fit->setIcon(themeIcon("fit"));
-  fit->setToolTip(tr("Show the whole object (F)"));
-  fit->setAccessibleName(tr("Show the whole object"));
-  connect(fit, &QToolButton::clicked, scene_view, &SceneView::fit);
+  model_tools = new ModelTools;
+  connect(model_tools, &ModelTools::fitRequested, scene_view, &SceneView::fit);
   auto* splitter = new QSplitter(Qt::Horizontal);
   splitter->setChildrenCollapsible(false);
   splitter->setHandleWidth(kGap_px);
-  splitter->addWidget(framed(tr("Camera"),
-                             tr("<span style='color:#8b97a3'>●</span> seen once  "
-                                "<span style='color:#e0a81e'>●</span> followed  "
-                                "<span style='color:#2fb567'>●</span> measured"),
-                             camera_view, nullptr));
-  splitter->addWidget(framed(tr("Model"), QString(), scene_view, fit));
+  camera_frame_ = framed(tr("Camera"),
+                         tr("<span style='color:#8b97a3'>●</span> seen once  "
+                            "<span style='color:#e0a81e'>●</span> followed  "
+                            "<span style='color:#2fb567'>●</span> measured"),
+                         camera_view, nullptr);
+  splitter->addWidget(camera_frame_);
+  splitter->addWidget(framed(tr("Model"), QString(), scene_view, model_tools));
   splitter->setStretchFactor(0, 4);
   splitter->setStretchFactor(1, 5);
   splitter->setSizes({1000, 1250});
-  return splitter;
+  auto* views = new QWidget;
+  auto* row = new QHBoxLayout(views);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kGap_px);
+  row->addWidget(splitter, 1);
+  editing_ = buildEditing();
+  row->addWidget(editing_);
+  return views;
+}
+
+QWidget* WorkPage::buildEditing() {
+  clean_panel = new CleanPanel;
+  measure_panel = new MeasurePanel(model_tools->measure);
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGap_px);
+  layout->addWidget(clean_panel);
+  layout->addWidget(measure_panel);
+  layout->addStretch(1);
+  auto* scroll = new PanelScroll(column);
+  scroll->setFixedWidth(kEditingWidth_px);
+  scroll->hide();
+  return scroll;
 }
 
 void WorkPage::showPhase(ScanPhase phase) {
@@ -136,6 +150,9 @@ void WorkPage::showPhase(ScanPhase phase) {
 void WorkPage::showStep(Step step) {
   steps->setShown(step);
   panels_->setCurrentIndex(static_cast<int>(step));
+  // Where the model is worked on it gets the camera's place.
+  camera_frame_->setVisible(step != Step::kMesh && step != Step::kExport);
+  editing_->setVisible(step == Step::kMesh);
 }
 
 }  // namespace gyre

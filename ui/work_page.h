@@ -14,10 +14,13 @@ namespace gyre {
 class Banner;
 class CalibrationPanel;
 class CameraView;
+class CleanPanel;
 class DevicePanel;
 class ExportPanel;
 class JobBar;
+class MeasurePanel;
 class MeshPanel;
+class ModelTools;
 class PlacePanel;
 class ScanPanel;
 class SceneView;
@@ -38,9 +41,12 @@ class WorkPage final : public QWidget {
   PlacePanel* place_panel;
   ScanPanel* scan_panel;
   MeshPanel* mesh_panel;
+  CleanPanel* clean_panel;
+  MeasurePanel* measure_panel;
   ExportPanel* export_panel;
   CameraView* camera_view;
   SceneView* scene_view;
+  ModelTools* model_tools;  // over the scene
   JobBar* job_bar;
 
  public Q_SLOTS:
@@ -50,8 +56,11 @@ class WorkPage final : public QWidget {
  private:
   QWidget* buildSteps();
   QWidget* buildViews();
+  QWidget* buildEditing();
 
   QStackedWidget* panels_;
+  QWidget* camera_frame_;
+  QWidget* editing_;  // beside the model, in the step that works on it
 };
 
 }  // namespace gyre

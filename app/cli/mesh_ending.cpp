@@ -20,6 +20,10 @@ std::string methodText(const MadeMesh& made) {
       return "Adaptive alpha shape";
     case MeshMethod::kWatertight:
       return formatted("Wrap, alpha %.3g mm", made.alpha_mm);
+    case MeshMethod::kPoisson:
+      return "Poisson surface";
+    case MeshMethod::kSilhouette:
+      return "Body from outlines";
     case MeshMethod::kClosed:
     case MeshMethod::kAuto:
       break;

@@ -7,6 +7,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/cli/ask_person.h"
 #include "app/cli/scan_ending.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
@@ -27,7 +28,8 @@ struct Words {
   double sim_speed = 10.0;
 };
 
-Result<Rig> openAgain(const Words& words, const ScanStore& store, const Task& task) {
+Result<Rig> openAgain(const Words& words, Console& console, const ScanStore& store,
+                      const Task& task) {
   const ScanSettings& settings = store.settings();
   RigOptions options;
   options.camera_mode = settings.camera_mode;
@@ -36,6 +38,7 @@ Result<Rig> openAgain(const Words& words, const ScanStore& store, const Task& ta
   options.turntable.direction = settings.direction;
   options.turntable.turning_measured = settings.units_per_turn != 360.0;
   options.sim_speed = words.sim_speed;
+  options.ask_person = askAtTerminal(console);
   if (!settings.sim_rig_json.empty()) {
     const auto sim = rigFromJson(settings.sim_rig_json);
     if (!sim) return sim.error();
@@ -47,7 +50,7 @@ Result<Rig> openAgain(const Words& words, const ScanStore& store, const Task& ta
 
 int captureRest(const Words& words, Console& console, ScanStore& store, const Task& task) {
   task.report(0.0, "Opening turntable and camera");
-  auto rig = openAgain(words, store, task);
+  auto rig = openAgain(words, console, store, task);
   if (!rig) return failScan(console, store, rig.error());
   tellDevices(console, *rig);
   if (rig->room) rig->room->setTable(TableLoad::kObject);

@@ -11,12 +11,15 @@
 
 #include "app/calibrated_rig.h"
 #include "app/calibration_run.h"
+#include "app/cli/ask_person.h"
 #include "app/cli/scan_ending.h"
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
+#include "app/turntable_word.h"
+#include "core/device/view_steps.h"
 #include "core/io/calibration_record_file.h"
 #include "core/io/scan_store.h"
 #include "core/sim/rig_json.h"
@@ -55,6 +58,8 @@ Result<Plan> planOf(const Words& words) {
     plan.settings.sim_rig_json = rigToJson(*rig);
     // The rig's record tells all: what the word named is found again from any folder.
     if (rig->object == "target") plan.settings.turntable = "sim";
+  } else {
+    plan.settings.turntable = lastingTurntableWord(words.settings.turntable);
   }
   if (!words.calibration.empty()) {
     auto calibration = readCalibrationRecord(words.calibration);
@@ -100,6 +105,7 @@ Result<Reconstruction> scan(const Words& words, Rig& rig, ScanStore& store, Cons
 int run(const Words& words, Console& console, const Task& task) {
   auto plan = planOf(words);
   if (!plan) return console.fail(plan.error());
+  plan->options.ask_person = askAtTerminal(console);
   task.report(0.0, "Opening turntable and camera");
   auto rig = openRig(plan->settings.turntable, plan->settings.camera, plan->options, task);
   if (!rig) return console.fail(rig.error());
@@ -107,6 +113,9 @@ int run(const Words& words, Console& console, const Task& task) {
   if (const auto matched = matchCalibration(words, *rig, *plan, console, task); !matched) {
     return console.fail(matched.error());
   }
+  const std::string uneven =
+      viewStepsRemark(rig->turntable->info().steps_per_turn, plan->settings.views);
+  if (!uneven.empty()) console.warn(uneven);
   auto store = ScanStore::create(words.out, plan->settings, plan->calibration);
   if (!store) return console.fail(store.error());
   return endScan(console, *store, scan(words, *rig, *store, console, task.part(0.0, 0.9)),
@@ -121,7 +130,8 @@ void addScan(CLI::App& app, Run& chosen) {
   CLI::App* command = app.add_subcommand("scan", "Scan what stands on the turntable");
   command
       ->add_option("--turntable", settings.turntable,
-                   "PORT, tcp:HOST:PORT, sim[:OBJECT] or sim:target[:FILE]")
+                   "[FIRMWARE:]PORT, [FIRMWARE:]tcp:HOST:PORT, FILE.json:PORT, hand[:MARKS], "
+                   "sim[:OBJECT] or sim:target[:FILE]")
       ->required();
   command
       ->add_option("--camera", settings.camera,

@@ -32,7 +32,12 @@ void tellResults(Console& console, const Reconstruction& reconstruction,
   }
   if (written.mesh_problem) {
     console.warn("There is no mesh: " + written.mesh_problem->sentence());
-  } else {
+  } else if (written.method == MeshMethod::kSilhouette) {
+    console.warn(
+        "There are too few points for a surface: the mesh is the body that the object's outlines "
+        "leave, with its hollows filled.");
+  }
+  if (!written.mesh.triangles.empty()) {
     console.say("The mesh has " + std::to_string(written.mesh.triangles.size()) + " triangles.");
   }
   for (const auto& [stage, seconds] : reconstruction.seconds) {

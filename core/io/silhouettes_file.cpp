@@ -11,7 +11,7 @@ namespace gyre {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 30U;
-constexpr std::string_view kMagic = "GYRESIL1";
+constexpr std::string_view kMagic = "GYRESIL2";
 constexpr std::uint32_t kMaxSide = 1U << 15U;
 constexpr int kBits = 8;
 

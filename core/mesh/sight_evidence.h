@@ -1,4 +1,4 @@
-// What cameras tell of free space.
+// What cameras tell of where an object is, and where not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,9 +6,18 @@
 
 #include <Eigen/Core>
 
+#include "core/geometry/camera_model.h"
 #include "core/geometry/ray.h"
+#include "core/geometry/rigid3.h"
+#include "core/scan/frame.h"
 
 namespace gyre {
+
+// The object in one picture, and where the camera stood.
+struct Outline {
+  Rigid3 cam_from_table;
+  cv::Mat mask;  // as a Silhouette's
+};
 
 // All in the table frame.
 struct SightEvidence {
@@ -17,6 +26,8 @@ struct SightEvidence {
   // each picture, all from its camera. An outline may be wrong, so each picture counts once
   // wherever it speaks.
   std::vector<std::vector<Ray>> background;
+  CameraModel camera;
+  std::vector<Outline> outlines;
 };
 
 }  // namespace gyre

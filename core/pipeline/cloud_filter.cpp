@@ -16,6 +16,7 @@ namespace gyre {
 namespace {
 
 constexpr int kShrink = 4;
+constexpr int kOutlineWidth_px = 640;  // a kept outline is at most so wide, and halved at least
 constexpr std::size_t kGrain = 256;
 // Neighbours are looked for within this share of the cloud's size.
 constexpr double kNeighbourhood = 0.025;
@@ -67,6 +68,15 @@ void dropSpecks(const PointCloud& cloud, double reach_mm, int min_neighbours,
   }
 }
 
+// A pixel is 255 where any of the pixels in it is not 0.
+cv::Mat shrunkToAny(const cv::Mat& mask) {
+  const int shrink = std::max(2, (mask.cols + kOutlineWidth_px - 1) / kOutlineWidth_px);
+  const cv::Size size(mask.cols / shrink, mask.rows / shrink);
+  cv::Mat small;
+  cv::resize(mask(cv::Rect({}, size * shrink)), small, size, 0, 0, cv::INTER_AREA);
+  return small != 0;
+}
+
 }  // namespace
 
 void SilhouetteRecord::addView(const cv::Mat& mask, double table_angle_rad) {
@@ -78,7 +88,8 @@ void SilhouetteRecord::addView(const cv::Mat& mask, double table_angle_rad) {
   // Grown by a few pixels: masks are not exact to the pixel, and points sit on the outline.
   cv::Mat small;
   cv::resize(mask, small, {mask.cols / kShrink, mask.rows / kShrink}, 0, 0, cv::INTER_AREA);
-  cv::dilate(small, view.mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
+  cv::dilate(small, view.grown, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
+  view.as_it_is = shrunkToAny(mask);
   views_.push_back(std::move(view));
 }
 
@@ -95,7 +106,7 @@ Silhouettes SilhouetteRecord::silhouettes() const {
   Silhouettes silhouettes;
   silhouettes.reserve(views_.size());
   for (const View& view : views_) {
-    silhouettes.push_back({static_cast<std::uint32_t>(view.added), view.mask});
+    silhouettes.push_back({static_cast<std::uint32_t>(view.added), view.as_it_is});
   }
   return silhouettes;
 }
@@ -109,10 +120,10 @@ double SilhouetteRecord::outsideShare(const Eigen::Vector3d& point_in_table,
     const View& view = views_[i];
     const auto pixel = calibration_.camera.project(view.cam_from_table * point_in_table);
     if (!pixel || !calibration_.camera.contains(*pixel)) continue;
-    const int column = std::min(static_cast<int>(pixel->x()) / kShrink, view.mask.cols - 1);
-    const int row = std::min(static_cast<int>(pixel->y()) / kShrink, view.mask.rows - 1);
+    const int column = std::min(static_cast<int>(pixel->x()) / kShrink, view.grown.cols - 1);
+    const int row = std::min(static_cast<int>(pixel->y()) / kShrink, view.grown.rows - 1);
     ++inside_picture;
-    if (view.mask.at<std::uint8_t>(row, column) == 0) ++outside;
+    if (view.grown.at<std::uint8_t>(row, column) == 0) ++outside;
   }
   return inside_picture == 0 ? 0.0 : static_cast<double>(outside) / inside_picture;
 }

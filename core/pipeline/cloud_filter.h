@@ -15,7 +15,8 @@
 
 namespace gyre {
 
-// The object's outline in every view so far, kept small. One thread at a time for addView(); any
+// The object's outline in every view so far, kept small: coarse and grown for judging points, finer
+// as it is for what wants to know it. One thread at a time for addView(); any
 // number for outsideShare().
 class SilhouetteRecord {
  public:
@@ -27,7 +28,7 @@ class SilhouetteRecord {
   // The same outlines with the table turned further by so much in each view added. [rad]
   SilhouetteRecord turned(std::span<const double> corrections_rad) const;
 
-  // The outlines kept so far, grown by a few pixels.
+  // The outlines kept so far.
   Silhouettes silhouettes() const;
 
   // Share of the views in whose picture the point lies but misses the object's mask: a point of the
@@ -38,7 +39,8 @@ class SilhouetteRecord {
   struct View {
     std::size_t added = 0;  // how many were added before
     Rigid3 cam_from_table;
-    cv::Mat mask;  // a quarter of the size
+    cv::Mat grown;     // a quarter of the size, 0 outside for certain
+    cv::Mat as_it_is;  // as a Silhouette's
   };
   Calibration calibration_;
   std::size_t added_ = 0;

@@ -5,8 +5,11 @@
 
 #include "core/mesh/adaptive_alpha.h"
 #include "core/mesh/alpha_shape.h"
+#include "core/mesh/clean/poisson.h"
 #include "core/mesh/clean/wrap.h"
+#include "core/mesh/vertex_colours.h"
 #include "core/mesh/visibility_cut.h"
+#include "core/mesh/visual_hull.h"
 
 namespace gyre {
 namespace {
@@ -24,6 +27,14 @@ Result<MadeMesh> byAlphaShape(const PointCloud& cloud, const AlphaShapeOptions& 
   auto shape = alphaShapeMesh(cloud, options, task);
   if (!shape) return shape.error();
   return MadeMesh{std::move(shape->mesh), MeshMethod::kAlpha, shape->alpha_mm};
+}
+
+Result<MadeMesh> byOutlines(const PointCloud& cloud, const SightEvidence& sights,
+                            const VisualHullOptions& options, const Task& task) {
+  auto hull = visualHull(sights, options, task);
+  if (!hull) return hull.error();
+  if (!cloud.points.empty()) colourFromPoints(hull->mesh, cloud);
+  return MadeMesh{std::move(hull->mesh), MeshMethod::kSilhouette, 0.0};
 }
 
 Result<MadeMesh> byWrap(const PointCloud& cloud, const std::optional<SightEvidence>& sights,
@@ -55,6 +66,14 @@ Result<MadeMesh> makeMesh(const PointCloud& cloud, const std::optional<SightEvid
       if (!shape) return shape.error();
       return MadeMesh{std::move(shape->mesh), MeshMethod::kAdaptive, 0.0};
     }
+    case MeshMethod::kPoisson: {
+      auto surface = poissonMesh(cloud, request.poisson, task);
+      if (!surface) return surface.error();
+      return MadeMesh{std::move(*surface), MeshMethod::kPoisson, 0.0};
+    }
+    case MeshMethod::kSilhouette:
+      if (!sights) return needsSights(request.method);
+      return byOutlines(cloud, *sights, request.hull, task);
     case MeshMethod::kWatertight:
       return byWrap(cloud, sights, request, task);
     case MeshMethod::kAuto: {

@@ -22,6 +22,8 @@ struct MeshRequest {
   MeshMethod method = MeshMethod::kAuto;
   AlphaShapeOptions alpha;
   VisibilityCutOptions cut;
+  VisualHullOptions hull;
+  PoissonOptions poisson;
   WrapOptions wrap;
 };
 
@@ -32,7 +34,8 @@ struct MadeMesh {
 };
 
 // kAuto takes the visibility cut where sights are known, else the alpha shape; kWatertight wraps
-// what kAuto makes. Fails as the method does, and when it needs sights that are not known.
+// what kAuto makes; kSilhouette needs no points, and takes colours from them where there are any.
+// Fails as the method does, and when it needs sights that are not known.
 Result<MadeMesh> makeMesh(const PointCloud& cloud, const std::optional<SightEvidence>& sights,
                           const MeshRequest& request, const Task& task);
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <opencv2/imgproc.hpp>
+
 #include "core/geometry/turntable_pose.h"
 #include "core/io/angles_file.h"
 #include "core/io/calibration_file.h"
@@ -19,14 +21,21 @@ namespace {
 // So many views, spread over the turn, tell where the background is seen: a wrong outline in one
 // does no harm, and more of them tell little that is new.
 constexpr std::size_t kOutlinesAsked = 72;
-constexpr int kWidening_px = 1;  // in the outline, around each point
+constexpr int kCoarser = 2;      // than the outlines kept: so many rays are enough
+constexpr int kWidening_px = 1;  // around each point, and of the whole: masks err by a few pixels
 constexpr int kMargin_px = 3;    // around the outline's box: rays farther out meet nothing anyhow
 
-// Full of the object where points of the cloud are seen, beside the outline too.
+// Coarser and wider than the outline, and full of the object where points of the cloud are seen,
+// beside it too: what is 0 is background for certain.
 cv::Mat widened(const Silhouette& silhouette, const CameraModel& camera,
                 const Rigid3& cam_from_table, const PointCloud& cloud) {
-  cv::Mat mask = silhouette.mask.clone();
-  const double shrunk = static_cast<double>(camera.width_px) / mask.cols;
+  cv::Mat mask;
+  cv::resize(silhouette.mask, mask,
+             {silhouette.mask.cols / kCoarser, silhouette.mask.rows / kCoarser}, 0.0, 0.0,
+             cv::INTER_AREA);
+  constexpr int kKernel_px = 2 * kWidening_px + 1;
+  cv::dilate(mask, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kKernel_px, kKernel_px}));
+  const double shrunk = shrinkOf(mask, camera.width_px);
   for (const Point& point : cloud.points) {
     const auto pixel = camera.project(cam_from_table * point.position);
     if (!pixel) continue;
@@ -57,7 +66,7 @@ cv::Rect boxOf(const cv::Mat& mask) {
 std::vector<Ray> backgroundOf(const cv::Mat& mask, const CameraModel& camera,
                               const Rigid3& cam_from_table) {
   std::vector<Ray> rays;
-  const double shrunk = static_cast<double>(camera.width_px) / mask.cols;
+  const double shrunk = shrinkOf(mask, camera.width_px);
   const cv::Rect object = boxOf(mask);
   if (object.empty()) return rays;
   const cv::Rect box = cv::Rect(object.x - kMargin_px, object.y - kMargin_px,
@@ -78,6 +87,7 @@ std::vector<Ray> backgroundOf(const cv::Mat& mask, const CameraModel& camera,
 SightEvidence sightsOf(const Calibration& calibration, std::span<const double> table_angles_rad,
                        const Silhouettes& silhouettes, const PointCloud& cloud) {
   SightEvidence sights;
+  sights.camera = calibration.camera;
   std::vector<Rigid3> poses;
   for (const double angle_rad : table_angles_rad) {
     poses.push_back(camFromTable(*calibration.cam_from_table, angle_rad));
@@ -90,6 +100,7 @@ SightEvidence sightsOf(const Calibration& calibration, std::span<const double> t
     const Rigid3& pose = poses[silhouette.view];
     const cv::Mat mask = widened(silhouette, calibration.camera, pose, cloud);
     sights.background.push_back(backgroundOf(mask, calibration.camera, pose));
+    sights.outlines.push_back({pose, silhouette.mask});
   }
   return sights;
 }

@@ -6,72 +6,17 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/check.h"
 #include "core/base/parallel.h"
 
 namespace gyre {
 namespace {
 
 constexpr std::uint32_t kNoVertex = 0xffffffffU;
-
-// Samples of the function on a regular lattice.
-struct Lattice {
-  Eigen::Vector3d origin;
-  double cell_mm = 1.0;
-  Eigen::Array3i size;  // points along each axis
-  std::vector<float> values;
-
-  std::size_t index(const Eigen::Array3i& p) const {
-    return static_cast<std::size_t>(p.x()) +
-           static_cast<std::size_t>(size.x()) *
-               (static_cast<std::size_t>(p.y()) +
-                static_cast<std::size_t>(size.y()) * static_cast<std::size_t>(p.z()));
-  }
-  Eigen::Vector3d at(const Eigen::Array3i& p) const {
-    return origin + cell_mm * p.cast<double>().matrix();
-  }
-  bool inside(const Eigen::Array3i& p) const { return values[index(p)] < 0.0F; }
-};
-
-// Fills one block of 8 x 8 x 8 points; far from the surface one evaluation stands for all.
-void sampleBlock(const SignedDistance& distance, const Eigen::Array3i& from, Lattice& lattice) {
-  constexpr int kSide = 8;
-  const Eigen::Array3i to = (from + kSide).min(lattice.size);
-  const Eigen::Vector3d centre =
-      lattice.at(from) + Eigen::Vector3d::Constant(0.5 * (kSide - 1) * lattice.cell_mm);
-  const double reach = std::sqrt(3.0) * 0.5 * (kSide + 1) * lattice.cell_mm;
-  const double there = distance(centre);
-  const bool far = there > kMostStretchOutside * reach || there < -kMostStretchInside * reach;
-  for (int z = from.z(); z < to.z(); ++z) {
-    for (int y = from.y(); y < to.y(); ++y) {
-      for (int x = from.x(); x < to.x(); ++x) {
-        const Eigen::Array3i p(x, y, z);
-        lattice.values[lattice.index(p)] =
-            static_cast<float>(far ? there : distance(lattice.at(p)));
-      }
-    }
-  }
-}
-
-Lattice sampleLattice(const SignedDistance& distance, const Bounds& box, double cell_mm) {
-  Lattice lattice;
-  lattice.cell_mm = cell_mm;
-  // The odd shift keeps lattice points off planes of symmetry and off the base.
-  lattice.origin = box.min - Eigen::Vector3d::Constant(2.37 * cell_mm);
-  lattice.size = ((box.max - lattice.origin) / cell_mm).array().ceil().cast<int>() + 3;
-  lattice.values.resize(static_cast<std::size_t>(lattice.size.cast<std::int64_t>().prod()));
-  const Eigen::Array3i blocks = (lattice.size + 7) / 8;
-  parallelFor(static_cast<std::size_t>(blocks.z()), 1, [&](std::size_t begin, std::size_t end) {
-    for (int z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
-      for (int y = 0; y < blocks.y(); ++y)
-        for (int x = 0; x < blocks.x(); ++x)
-          sampleBlock(distance, 8 * Eigen::Array3i(x, y, z), lattice);
-  });
-  return lattice;
-}
+constexpr DistanceStretch kStretch = {.outside = kMostStretchOutside, .inside = kMostStretchInside};
 
 // The mean of the points where the cell's edges cross zero, or nothing when none does.
-std::optional<Eigen::Vector3d> cellVertex(const Lattice& lattice, const Eigen::Array3i& cell) {
+std::optional<Eigen::Vector3d> cellVertex(const DistanceLattice& lattice,
+                                          const Eigen::Array3i& cell) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int crossings = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -115,7 +60,7 @@ void addQuad(Mesh& mesh, const std::array<std::uint32_t, 4>& corner) {
 }
 
 // Every lattice edge that crosses the surface is circled by four cells: their vertices are a quad.
-void addQuads(const Lattice& lattice, const std::vector<std::uint32_t>& vertex_of_cell,
+void addQuads(const DistanceLattice& lattice, const std::vector<std::uint32_t>& vertex_of_cell,
               Mesh& mesh) {
   forEachPoint(Eigen::Array3i::Ones(), lattice.size - 1, [&](const Eigen::Array3i& p) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -157,8 +102,7 @@ Eigen::Vector3d broughtToZero(const SignedDistance& distance, Eigen::Vector3d p,
 }  // namespace
 
 Mesh meshOfImplicit(const SignedDistance& distance, const Bounds& box, double cell_mm) {
-  GYRE_CHECK(cell_mm > 0.0 && !box.empty());
-  const Lattice lattice = sampleLattice(distance, box, cell_mm);
+  const DistanceLattice lattice = sampleDistance(distance, {box.min, box.max}, cell_mm, kStretch);
   Mesh mesh;
   std::vector<std::uint32_t> vertex_of_cell(lattice.values.size(), kNoVertex);
   forEachPoint(Eigen::Array3i::Zero(), lattice.size - 1, [&](const Eigen::Array3i& cell) {

@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
-
-#include <Eigen/Core>
-
+#include "core/geometry/distance_lattice.h"
 #include "core/scan/mesh.h"
 
 namespace gyre {
 
-// Negative inside, positive outside, with a slope of about 1 at the surface. Elsewhere it may
-// exceed the true distance to the surface, as blended ellipsoids do, by these factors at most.
+// By so much a distance may exceed the true one away from the surface, as blended ellipsoids do.
 inline constexpr double kMostStretchOutside = 2.0;
 inline constexpr double kMostStretchInside = 5.0;
-using SignedDistance = std::function<double(const Eigen::Vector3d&)>;
 
 // The closed surface inside the box, oriented outward, with vertices about cell_mm apart that lie
 // on the zero set to 1e-3 of a cell wherever it is smooth. Normals are set. The zero set must stay

@@ -25,6 +25,16 @@ TEST(GuiWords, TakeAScreenshotInEitherOrder) {
   }
 }
 
+TEST(GuiWords, TakeAScreenshotOfAnObjectInATheme) {
+  const auto options = guiOptions(
+      {"--screenshot", "a.png", "--object", "vase", "--scene", "mesh", "--theme", "dark"});
+  ASSERT_TRUE(options);
+  EXPECT_EQ(options->object, "vase");
+  EXPECT_EQ(options->theme, "dark");
+  EXPECT_EQ(guiOptions({"--screenshot", "a.png", "--scene", "mesh"})->object, "duck");
+  EXPECT_FALSE(guiOptions({"--screenshot", "a.png", "--scene", "mesh", "--object"}));
+}
+
 TEST(GuiWords, LeaveCommandsAlone) {
   EXPECT_FALSE(guiOptions({"demo", "--out", "x"}));
   EXPECT_FALSE(guiOptions({"--help"}));

@@ -11,7 +11,11 @@
 
 #include <QAbstractButton>
 #include <QAccessible>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -19,7 +23,11 @@
 
 #include "tests/support/qt_application.h"
 #include "ui/banner.h"
+#include "ui/clean_panel.h"
 #include "ui/job_bar.h"
+#include "ui/measure_panel.h"
+#include "ui/mesh_panel.h"
+#include "ui/model_tools.h"
 #include "ui/start_page.h"
 #include "ui/work_page.h"
 
@@ -69,6 +77,52 @@ TEST_F(MainWindowTest, BeginsWithTheStartPage) {
   window_.showWork(Step::kConnect);
   EXPECT_FALSE(window_.start_page->isVisible());
   EXPECT_TRUE(window_.work_page->isVisible());
+}
+
+TEST_F(MainWindowTest, ScrollsPanelsInsteadOfSqueezingTheirTexts) {
+  window_.resize(1320, 700);
+  window_.showWork(Step::kMesh);
+  Measurement measured;
+  measured.to_in_table = {30.0, 0.0, 0.0};
+  measured.length_mm = 30.0;
+  measured.points_sigma_mm = 0.01;
+  measured.scale_sigma_mm = 0.01;
+  measured.caliper_mm = 30.5;
+  window_.work_page->measure_panel->showMeasurements({measured}, 0);
+  Bounds bounds;
+  bounds.include({-30.0, -30.0, 0.0});
+  bounds.include({30.0, 30.0, 60.0});
+  window_.work_page->clean_panel->showSurface(bounds, 40000);
+  for (auto* box : window_.work_page->clean_panel->findChildren<QCheckBox*>()) box->click();
+  CleanReport report;
+  report.steps = {
+      {"Smooth", 9, 9, {{"vertices held by their sigma", 94.6, "%"}}},
+      {"Crop", 9, 8, {{"triangles removed", 12345.0, ""}, {"triangles cut", 99.0, ""}}}};
+  window_.work_page->clean_panel->showReport(report);
+  QTest::qWait(50);
+  for (const QWidget* panel : {static_cast<QWidget*>(window_.work_page->clean_panel),
+                               static_cast<QWidget*>(window_.work_page->measure_panel),
+                               static_cast<QWidget*>(window_.work_page->mesh_panel)}) {
+    for (const QLabel* label : panel->findChildren<QLabel*>()) {
+      if (!label->isVisible() || label->text().isEmpty()) continue;
+      EXPECT_GE(label->height(), label->heightForWidth(label->width()))
+          << label->text().toStdString();
+    }
+    for (const QWidget* spin : panel->findChildren<QDoubleSpinBox*>()) {
+      if (!spin->isVisible()) continue;
+      EXPECT_GE(spin->height(), spin->minimumSizeHint().height());
+    }
+  }
+}
+
+TEST_F(MainWindowTest, ListsTheActionsOnTheModelInItsEditMenu) {
+  const ModelTools& tools = *window_.work_page->model_tools;
+  QList<QAction*> listed;
+  for (const QMenu* menu : window_.menuBar()->findChildren<QMenu*>()) listed += menu->actions();
+  for (QAction* action : {tools.undo, tools.redo, tools.before, tools.hatching, tools.measure}) {
+    EXPECT_TRUE(listed.contains(action)) << action->text().toStdString();
+    EXPECT_FALSE(action->shortcut().isEmpty());
+  }
 }
 
 TEST_F(MainWindowTest, OffersOnlyWhatIsPossible) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -120,13 +122,55 @@ TEST(ExportPanel, OpensTheFileThatWasWrittenLast) {
   EXPECT_EQ(opened.front().at(0).toString(), "/somewhere/mesh.stl");
 }
 
+void chooseKind(MeshPanel& panel, MeshMethod kind) {
+  auto* kinds = panel.findChild<QComboBox*>();
+  kinds->setCurrentIndex(kinds->findData(static_cast<int>(kind)));
+}
+
+TEST(MeshPanel, OffersEveryKindAndExplainsIt) {
+  MeshPanel panel;
+  panel.showPoints(1000);
+  std::set<QString> explained;
+  QSignalSpy wanted(&panel, &MeshPanel::meshRequested);
+  for (const auto& [kind, word] : kMeshMethodWords) {
+    chooseKind(panel, kind);
+    explained.insert(textOf(panel));
+    press(panel, "Build the surface");
+    EXPECT_EQ(wanted.back().at(0).value<MeshMethod>(), kind) << word;
+  }
+  EXPECT_EQ(explained.size(), kMeshMethodWords.size());
+}
+
+TEST(MeshPanel, ShowsTheKindThatAnUndoneStepHadWithoutAskingForIt) {
+  MeshPanel panel;
+  panel.showPoints(1000);
+  QSignalSpy wanted(&panel, &MeshPanel::meshRequested);
+  panel.showSurface(MeshMethod::kAlpha, 2.5);
+  EXPECT_FALSE(wanted.wait(150));
+  EXPECT_EQ(panel.findChild<QComboBox*>()->currentData().toInt(),
+            static_cast<int>(MeshMethod::kAlpha));
+  EXPECT_DOUBLE_EQ(panel.findChild<QDoubleSpinBox*>()->value(), 2.5);
+  panel.findChild<QDoubleSpinBox*>()->setValue(3.0);  // and the slider is alive again
+  EXPECT_TRUE(wanted.wait(1000));
+}
+
+TEST(MeshPanel, MakesNoSurfaceWithoutPoints) {
+  MeshPanel panel;
+  EXPECT_FALSE(anyEnabled(panel));
+  panel.showPoints(1000);
+  EXPECT_TRUE(anyEnabled(panel));
+  panel.showPoints(0);
+  EXPECT_FALSE(anyEnabled(panel));
+}
+
 TEST(MeshPanel, AsksForTheGapSizeThatWasSet) {
   MeshPanel panel;
   panel.showPhase(ScanPhase::kDone);
+  panel.showPoints(1000);
   QSignalSpy wanted(&panel, &MeshPanel::meshRequested);
   auto* gap = panel.findChild<QDoubleSpinBox*>();
   ASSERT_NE(gap, nullptr);
-  panel.findChild<QComboBox*>()->setCurrentIndex(1);
+  chooseKind(panel, MeshMethod::kAlpha);
   gap->setValue(2.5);
   for (QPushButton* button : panel.findChildren<QPushButton*>()) button->click();
   ASSERT_EQ(wanted.count(), 1);
@@ -137,6 +181,7 @@ TEST(MeshPanel, AsksForTheGapSizeThatWasSet) {
 TEST(MeshPanel, MakesAClosedBodyUnlessAskedOtherwise) {
   MeshPanel panel;
   panel.showPhase(ScanPhase::kDone);
+  panel.showPoints(1000);
   QSignalSpy wanted(&panel, &MeshPanel::meshRequested);
   EXPECT_FALSE(panel.findChild<QDoubleSpinBox*>()->isEnabled());
   for (QPushButton* button : panel.findChildren<QPushButton*>()) button->click();
@@ -147,8 +192,9 @@ TEST(MeshPanel, MakesAClosedBodyUnlessAskedOtherwise) {
 TEST(MeshPanel, FollowsTheSliderOnceASurfaceWithGapsIsShown) {
   MeshPanel panel;
   panel.showPhase(ScanPhase::kDone);
+  panel.showPoints(1000);
   QSignalSpy wanted(&panel, &MeshPanel::meshRequested);
-  panel.findChild<QComboBox*>()->setCurrentIndex(1);
+  chooseKind(panel, MeshMethod::kAlpha);
   auto* slider = panel.findChild<QSlider*>();
   slider->setValue(80);
   EXPECT_FALSE(wanted.wait(150));
@@ -164,6 +210,7 @@ TEST(MeshPanel, FollowsTheSliderOnceASurfaceWithGapsIsShown) {
 TEST(MeshPanel, DoesNotMakeASurfaceInTheMiddleOfAScan) {
   MeshPanel panel;
   panel.showPhase(ScanPhase::kScanning);
+  panel.showPoints(1000);
   QSignalSpy wanted(&panel, &MeshPanel::meshRequested);
   for (QPushButton* button : panel.findChildren<QPushButton*>()) button->click();
   EXPECT_EQ(wanted.count(), 0);

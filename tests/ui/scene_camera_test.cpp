@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 
 namespace gyre {
@@ -68,6 +69,26 @@ TEST(SceneCamera, NeverTipsOver) {
   const Eigen::Vector3d direction = (eyeOf(camera) - focusOf(camera)).normalized();
   EXPECT_LT(direction.z(), 1.0 - 1e-5);
   EXPECT_GT(direction.z(), 0.99);
+}
+
+TEST(SceneCamera, KnowsWherePlacesAreSeenAsTheRendererDoes) {
+  SceneCamera camera;
+  camera.fit(box());
+  camera.rotate(0.3, 0.1);
+  camera.pan(0.1, -0.2);
+  vtkNew<vtkCamera> vtk;
+  camera.applyTo(*vtk);
+  constexpr double kAspect = 1.6;
+  const vtkMatrix4x4* projection = vtk->GetCompositeProjectionTransformMatrix(kAspect, -1.0, 1.0);
+  for (const Eigen::Vector3d& place :
+       {Eigen::Vector3d(0, 0, 0), {30, 20, 40}, {-10, -20, 5}, {10, 0, 20}}) {
+    const double in[] = {place.x(), place.y(), place.z(), 1.0};
+    double out[4];
+    const_cast<vtkMatrix4x4*>(projection)->MultiplyPoint(in, out);
+    const Eigen::Vector2d seen = camera.seenAt(place);
+    EXPECT_NEAR(seen.x(), 0.5 * kAspect * out[0] / out[3], 1e-6);
+    EXPECT_NEAR(seen.y(), -0.5 * out[1] / out[3], 1e-6);
+  }
 }
 
 }  // namespace

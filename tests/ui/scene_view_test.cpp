@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QMouseEvent>
+#include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -168,6 +169,142 @@ TEST_F(SceneViewTest, ShowsTheMeshInPlaceOfTheCloud) {
   const QColor centre = image.pixelColor(200, 150);
   EXPECT_GT(centre.green(), 150);
   EXPECT_LT(centre.red(), 60);
+}
+
+// An upright triangle in the front view, of one colour; seen or not.
+MeshPtr triangle(std::uint8_t seen) {
+  auto mesh = std::make_shared<Mesh>();
+  for (const auto& corner : {Eigen::Vector3d(5, -20, 10), {5, 20, 10}, {5, 0, 60}}) {
+    MeshVertex vertex;
+    vertex.position = corner;
+    vertex.normal = {1, 0, 0};
+    vertex.rgb = {0, 255, 0};
+    vertex.seen = seen;
+    mesh->vertices.push_back(vertex);
+  }
+  mesh->triangles.push_back({0, 1, 2});
+  return mesh;
+}
+
+int greenPixels(const QImage& image) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor colour = image.pixelColor(x, y);
+      if (colour.green() > 150 && colour.red() < 60 && colour.blue() < 60) ++count;
+    }
+  }
+  return count;
+}
+
+TEST_F(SceneViewTest, HatchesWhatNoCameraSawAndOnlyThat) {
+  view_.showMesh(triangle(1));
+  const QImage seen_image = seen();
+  const int whole = greenPixels(seen_image);
+  view_.showMesh(triangle(0));
+  const int between_stripes = greenPixels(seen());
+  EXPECT_GT(whole, 500);
+  EXPECT_NEAR(static_cast<double>(between_stripes) / whole, 0.5, 0.1);
+  view_.setHatching(Hatching::kHidden);
+  EXPECT_EQ(greenPixels(seen()), whole);
+  view_.setHatching(Hatching::kShown);
+  EXPECT_EQ(greenPixels(seen()), between_stripes);
+}
+
+TEST_F(SceneViewTest, ExplainsTheHatchingOnlyWhereThereIsSome) {
+  view_.showMesh(triangle(1));
+  view_.setUnseenShare(0.0);
+  const QImage without = seen();
+  view_.showMesh(triangle(0));
+  view_.setHatching(Hatching::kHidden);
+  EXPECT_EQ(seen(), without);
+  view_.setUnseenShare(0.3);
+  EXPECT_EQ(seen(), without);
+  view_.setHatching(Hatching::kShown);
+  EXPECT_NE(seen().copy(0, 0, 40, 40), without.copy(0, 0, 40, 40));
+}
+
+TEST_F(SceneViewTest, TellsWhichPlaceOfTheMeshWasClicked) {
+  qRegisterMetaType<ScenePick>();
+  view_.showMesh(triangle(1));
+  seen();
+  QSignalSpy picked(&view_, &SceneView::picked);
+  QWidget* canvas = view_.findChild<QWidget*>("canvas");
+  QTest::mouseClick(canvas, Qt::LeftButton, Qt::NoModifier, {200, 150});
+  EXPECT_EQ(picked.count(), 0);  // not asked for
+  view_.setPicking(Picking::kOn);
+  QTest::mouseClick(canvas, Qt::LeftButton, Qt::NoModifier, {200, 150});
+  ASSERT_EQ(picked.count(), 1);
+  const auto pick = picked.front().front().value<ScenePick>();
+  EXPECT_EQ(pick.on, ScenePick::On::kTriangle);
+  EXPECT_EQ(pick.index, 0U);
+  EXPECT_NEAR(pick.position.x(), 5.0, 1e-3);
+  EXPECT_NEAR(pick.position.y(), 0.0, 1.0);
+  QTest::mouseClick(canvas, Qt::LeftButton, Qt::NoModifier, {5, 5});  // beside the object
+  EXPECT_EQ(picked.count(), 1);
+}
+
+TEST_F(SceneViewTest, DrawsAMeasuredLineWhereItsEndsAreSeen) {
+  view_.showMesh(triangle(1));
+  QSignalSpy picked(&view_, &SceneView::picked);
+  view_.setPicking(Picking::kOn);
+  seen();
+  QWidget* canvas = view_.findChild<QWidget*>("canvas");
+  for (const QPoint& at : {QPoint(190, 160), QPoint(212, 150)}) {
+    QTest::mouseClick(canvas, Qt::LeftButton, Qt::NoModifier, at);
+  }
+  ASSERT_EQ(picked.count(), 2);
+  const QImage before = seen();
+  view_.showLines({{picked[0].front().value<ScenePick>().position,
+                    picked[1].front().value<ScenePick>().position, ""}});
+  const QImage drawn = seen();
+  EXPECT_NE(drawn.pixel(190, 160), before.pixel(190, 160));
+  EXPECT_NE(drawn.pixel(212, 150), before.pixel(212, 150));
+  EXPECT_EQ(drawn.pixel(230, 120), before.pixel(230, 120));
+  view_.showLines({});
+  EXPECT_EQ(seen(), before);
+}
+
+TEST_F(SceneViewTest, PicksPointsWhileTheCloudIsShown) {
+  const PointCloudPtr cloud = blocks(30.0);
+  view_.showCloud(cloud);
+  const Patch red = find(seen(), kRed);
+  view_.setPicking(Picking::kOn);
+  QSignalSpy picked(&view_, &SceneView::picked);
+  QTest::mouseClick(view_.findChild<QWidget*>("canvas"), Qt::LeftButton, Qt::NoModifier,
+                    {static_cast<int>(400 * red.x), static_cast<int>(300 * red.y)});
+  ASSERT_EQ(picked.count(), 1);
+  const auto pick = picked.front().front().value<ScenePick>();
+  EXPECT_EQ(pick.on, ScenePick::On::kPoint);
+  ASSERT_LT(pick.index, cloud->points.size());
+  EXPECT_EQ(pick.index % 2, 0U);  // a red one
+  EXPECT_EQ(pick.position, cloud->points[pick.index].position);
+}
+
+TEST_F(SceneViewTest, TurnsAndPicksNothingWhenTheMouseIsDragged) {
+  view_.showMesh(triangle(1));
+  seen();
+  view_.setPicking(Picking::kOn);
+  QSignalSpy picked(&view_, &SceneView::picked);
+  QWidget* canvas = view_.findChild<QWidget*>("canvas");
+  QTest::mousePress(canvas, Qt::LeftButton, Qt::NoModifier, {200, 150});
+  QTest::mouseRelease(canvas, Qt::LeftButton, Qt::NoModifier, {215, 150});
+  EXPECT_EQ(picked.count(), 0);
+}
+
+TEST_F(SceneViewTest, DrawsTheCropAndTakesItAway) {
+  view_.showMesh(triangle(1));
+  const QImage before = seen();
+  CropOptions crop;
+  crop.radius_mm = 15.0;
+  view_.showCrop(crop);
+  const QImage cylinder = seen();
+  EXPECT_NE(cylinder, before);
+  crop.z_max_mm = 40.0;
+  view_.showCrop(crop);
+  EXPECT_NE(seen(), cylinder);
+  view_.showCrop({});
+  EXPECT_EQ(seen(), before);
 }
 
 TEST_F(SceneViewTest, FitsASmallObject) {

@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/mesh/base_facets.h"
 #include "core/mesh/clean/check_input.h"
 #include "core/mesh/clean/crop.h"
 #include "core/mesh/clean/flat_lid.h"
@@ -17,6 +18,7 @@
 #include "core/mesh/clean/split_non_manifold.h"
 #include "core/mesh/clean/surface_mesh.h"
 #include "core/mesh/clean/unseen_patch.h"
+#include "core/mesh/components.h"
 #include "core/mesh/kd_tree.h"
 
 namespace gyre {
@@ -191,6 +193,33 @@ Result<void> separate(CappedMesh& capped, const Task& task) {
   return checkSurface(capped.mesh) ? Result<void>{} : crossing();
 }
 
+// Takes out the facets that only guess the base, so that what was measured can be led down.
+void openGuessedBase(Mesh& mesh, const BaseCapOptions& options) {
+  const auto is_unseen = [&](const Triangle& triangle) {
+    return std::any_of(triangle.begin(), triangle.end(),
+                       [&](std::uint32_t corner) { return mesh.vertices[corner].seen == 0; });
+  };
+  const auto base = baseFacets(mesh, is_unseen, options.z_mm + options.tolerance_mm);
+  const auto on_base = [&](std::uint32_t t) {
+    return std::all_of(mesh.triangles[t].begin(), mesh.triangles[t].end(), [&](auto corner) {
+      return mesh.vertices[corner].position.z() <= options.z_mm;
+    });
+  };
+  if (std::all_of(base.begin(), base.end(), on_base)) return;
+  std::vector<Triangle> kept;
+  kept.reserve(mesh.triangles.size() - base.size());
+  auto next = base.begin();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (next != base.end() && *next == t) {
+      ++next;
+    } else {
+      kept.push_back(mesh.triangles[t]);
+    }
+  }
+  mesh.triangles = std::move(kept);
+  removeUnusedVertices(mesh);
+}
+
 }  // namespace
 
 Result<CappedMesh> capBase(const Mesh& mesh, const BaseCapOptions& options, const Task& task) {
@@ -200,6 +229,7 @@ Result<CappedMesh> capBase(const Mesh& mesh, const BaseCapOptions& options, cons
   if (!above) return above.error();
   CappedMesh capped;
   capped.mesh = std::move(above->mesh);
+  openGuessedBase(capped.mesh, options);
   if (const Result<void> separated = separate(capped, task); !separated) return separated.error();
   const std::vector<Rim> rims = rimsNearBase(capped.mesh, options);
   if (rims.empty()) return capped;

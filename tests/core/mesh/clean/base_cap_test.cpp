@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -120,6 +121,40 @@ TEST(CapBase, TakesTheColourOfTheRimAndTheSideOfTheMesh) {
   ASSERT_TRUE(capped);
   EXPECT_NEAR(meshHealth(capped->mesh).volume_mm3, -kFloor_mm2 * (20.0 + 10.0 / 3.0), 1e-9);
   for (const MeshVertex& vertex : capped->mesh.vertices) EXPECT_EQ(vertex.rgb[2], 199);
+}
+
+// As a surface is closed that no camera could see from below: by a facet at the height of the
+// lowest points. The body is led down to the table; without the mark it is measured, and stays.
+TEST(CapBase, LeadsABodyDownWhoseBaseIsOnlyGuessed) {
+  Mesh body = test::boxMesh({-10, -10, 3}, {10, 10, 30});
+  std::erase_if(body.triangles, [&](const Triangle& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t corner) {
+      return body.vertices[corner].position.z() == 3.0;
+    });
+  });
+  const std::uint32_t middle = test::addVertex(body, {0, 0, 3});
+  for (const auto& [from, to] : {std::pair{0U, 2U}, {2U, 3U}, {3U, 1U}, {1U, 0U}}) {
+    body.triangles.push_back({from, to, middle});
+  }
+  ASSERT_EQ(meshHealth(body).genus, 0);
+  const auto measured = capBase(body, {}, {});
+  ASSERT_TRUE(measured);
+  EXPECT_EQ(measured->rims_closed, 0U);
+  EXPECT_NEAR(meshHealth(measured->mesh).volume_mm3, 400.0 * 27.0, 1e-9);
+
+  body.vertices[middle].seen = 0;
+  const auto guessed = capBase(body, {}, {});
+  ASSERT_TRUE(guessed);
+  EXPECT_EQ(guessed->rims_closed, 1U);
+  const MeshHealth health = meshHealth(guessed->mesh);
+  EXPECT_EQ(health.genus, 0);
+  EXPECT_EQ(boundsOf(guessed->mesh).min.z(), 0.0);
+  EXPECT_NEAR(health.volume_mm3, 400.0 * 30.0, 1e-9);
+  // Once there it stays as it is.
+  const auto again = capBase(guessed->mesh, {}, {});
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->rims_closed, 0U);
+  EXPECT_EQ(again->mesh.triangles.size(), guessed->mesh.triangles.size());
 }
 
 TEST(CapBase, RefusesAndStops) {
