@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "core/base/clock.h"
 #include "core/base/units.h"
 
 namespace gyre {
@@ -150,7 +149,7 @@ void DeviceSession::startPreview() {
   camera_jobs_.start(
       [this, rig = rig_](const Task& task) -> Result<void> {
         while (!task.stopRequested()) {
-          auto frame = rig->camera->grabAfter(steadySeconds(), task);
+          auto frame = rig->camera->preview(task);
           if (!frame) return frame.error();
           if (newest_.put(std::move(frame).value())) {
             QMetaObject::invokeMethod(

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/print_target.h"
 
-#include <array>
-#include <memory>
-
 #include <QBuffer>
 #include <QByteArray>
 #include <QFont>
-#include <QGuiApplication>
 #include <QMarginsF>
 #include <QPageLayout>
 #include <QPageSize>
@@ -15,6 +11,7 @@
 #include <QPainterPath>
 #include <QPdfWriter>
 
+#include "app/screenless_application.h"
 #include "core/io/atomic_file.h"
 #include "core/io/target_file.h"
 
@@ -23,24 +20,6 @@ namespace {
 
 constexpr double kMmPerInch = 25.4;
 constexpr int kDotsPerInch = 1200;
-
-// Fonts need an application object; the platform "offscreen" needs no screen.
-class ScreenlessApplication {
- public:
-  ScreenlessApplication() {
-    if (QCoreApplication::instance() == nullptr) {
-      application_ = std::make_unique<QGuiApplication>(count_, words_.data());
-    }
-  }
-
- private:
-  std::array<char, 5> program_{"gyre"};
-  std::array<char, 10> option_{"-platform"};
-  std::array<char, 10> platform_{"offscreen"};
-  std::array<char*, 4> words_ = {program_.data(), option_.data(), platform_.data(), nullptr};
-  int count_ = 3;
-  std::unique_ptr<QGuiApplication> application_;
-};
 
 QPen penFor(PrintLine::Kind kind) {
   switch (kind) {

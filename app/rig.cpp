@@ -6,26 +6,32 @@
 #include <vector>
 
 #include "app/sim_target.h"
+#include "app/table_at_port.h"
+#include "app/turntable_word.h"
 #include "core/base/check.h"
+#include "core/device/discovery.h"
 #include "core/device/folder_camera.h"
+#include "core/device/gphoto_camera.h"
 #include "core/device/opencv_source.h"
 #include "core/device/protocol_turntable.h"
-#include "core/device/serial_port.h"
+#include "core/device/stream_source.h"
 #include "core/device/streaming_camera.h"
-#include "core/device/tcp_port.h"
+#include "core/device/video_file_camera.h"
 #include "core/io/frame_folder.h"
 #include "core/io/picture_file.h"
 
 namespace gyre {
 namespace {
 
-constexpr double kConnect_s = 5.0;
 // What a picture needs from the sensor to the driver: USB cameras about a frame at 30 a second;
 // cameras on a network code it, buffer it and send it.
 constexpr double kUsbDelay_s = 0.04;
 // A simulated camera has no cable that could be pulled: when it is silent, the processor is busy.
 constexpr double kSimSilence_s = 60.0;
 constexpr double kNetworkDelay_s = 0.25;
+// A network camera that was lost is looked for again so long before the scan gives up.
+constexpr double kNetworkSilence_s = 20.0;
+constexpr double kNetworkPatience_s = 40.0;
 
 Result<std::unique_ptr<SimulatedRoom>> furnish(const std::string& turntable_word,
                                                const RigOptions& options) {
@@ -43,19 +49,21 @@ Result<std::unique_ptr<SimulatedRoom>> furnish(const std::string& turntable_word
   return room;
 }
 
-Result<std::unique_ptr<BytePort>> openPort(const std::string& word, SimulatedRoom* room) {
-  if (namesSimulation(word)) {
-    GYRE_CHECK(room != nullptr);
-    return room->firmware->openPort();
+// The person's table, or the one at a port.
+Result<std::unique_ptr<Turntable>> openReal(const TurntableWord& word, TurntableOptions options,
+                                            const AskPerson& ask, const Task& task) {
+  if (word.port.empty()) {
+    if (word.marks > 0) options.steps_per_turn = word.marks;
+    auto table = HandTurntable::open(options, ask);
+    if (!table) return table.error();
+    return std::unique_ptr<Turntable>(std::move(table).value());
   }
-  if (word.starts_with("tcp:")) {
-    auto port = TcpPort::open(word, kConnect_s);
-    if (!port) return port.error();
-    return std::unique_ptr<BytePort>(std::move(port).value());
-  }
-  auto port = SerialPort::open(word);
-  if (!port) return port.error();
-  return std::unique_ptr<BytePort>(std::move(port).value());
+  if (options.device_id.empty() && !word.isNetwork()) options.device_id = stablePathOf(word.port);
+  TableSearch search = searchAtPort(word, options.greeting_s, task.part(0.0, 0.05));
+  if (!search.driver) return *search.error;
+  auto table = ProtocolTurntable::adopt(std::move(search.driver), options, task);
+  if (!table) return table.error();
+  return std::unique_ptr<Turntable>(std::move(table).value());
 }
 
 Result<std::unique_ptr<Camera>> openFolder(const std::string& folder) {
@@ -67,6 +75,33 @@ Result<std::unique_ptr<Camera>> openFolder(const std::string& folder) {
     return frame->image_bgr;
   };
   return std::unique_ptr<Camera>(std::make_unique<FolderCamera>(std::move(pictures).value(), read));
+}
+
+Result<std::unique_ptr<Camera>> openStream(const std::string& url) {
+  auto source = openStreamSource(url);
+  if (!source) return source.error();
+  StreamingCameraOptions streaming;
+  streaming.transport_delay_s = kNetworkDelay_s;
+  streaming.silence_s = kNetworkSilence_s;
+  streaming.patience_s = kNetworkPatience_s;
+  return std::unique_ptr<Camera>(
+      std::make_unique<StreamingCamera>(std::move(source).value(), streaming));
+}
+
+Result<std::unique_ptr<Camera>> openDevice(const std::string& word, const RigOptions& options) {
+  OpenCvSourceOptions mode;
+  if (!options.camera_mode.empty()) {
+    auto read = cameraModeFromText(options.camera_mode);
+    if (!read) return read.error();
+    mode = std::move(read).value();
+  }
+  mode.mains_hz = options.mains_hz;
+  auto source = openOpenCvSource(word, mode);
+  if (!source) return source.error();
+  StreamingCameraOptions streaming;
+  streaming.transport_delay_s = kUsbDelay_s;
+  return std::unique_ptr<Camera>(
+      std::make_unique<StreamingCamera>(std::move(source).value(), streaming));
 }
 
 Result<std::unique_ptr<Camera>> openSimulated(const RigOptions& options, SimulatedRoom* room) {
@@ -101,9 +136,14 @@ std::string simulatedObject(const std::string& turntable_word) {
 
 Result<std::unique_ptr<Turntable>> openTurntable(const std::string& word, const RigOptions& options,
                                                  SimulatedRoom* room, const Task& task) {
-  auto port = openPort(word, room);
-  if (!port) return port.error();
-  auto turntable = ProtocolTurntable::open(std::move(port).value(), options.turntable, task);
+  if (!namesSimulation(word)) {
+    if (const auto valid = options.turntable.validate(); !valid) return valid.error();
+    const auto parsed = turntableWord(word);
+    if (!parsed) return parsed.error();
+    return openReal(*parsed, options.turntable, options.ask_person, task);
+  }
+  GYRE_CHECK(room != nullptr);
+  auto turntable = ProtocolTurntable::open(room->firmware->openPort(), options.turntable, task);
   if (!turntable) return turntable.error();
   return std::unique_ptr<Turntable>(std::move(turntable).value());
 }
@@ -111,21 +151,16 @@ Result<std::unique_ptr<Turntable>> openTurntable(const std::string& word, const 
 Result<std::unique_ptr<Camera>> openCamera(const std::string& word, const RigOptions& options,
                                            SimulatedRoom* room) {
   if (word == "sim") return openSimulated(options, room);
+  if (namesStream(word)) return openStream(word);
+  if (namesGphoto(word)) return openGphotoCamera(word);
   std::error_code ignored;
   if (std::filesystem::is_directory(word, ignored)) return openFolder(word);
-  OpenCvSourceOptions mode;
-  if (!options.camera_mode.empty()) {
-    auto read = cameraModeFromText(options.camera_mode);
-    if (!read) return read.error();
-    mode = std::move(read).value();
+  if (std::filesystem::is_regular_file(word, ignored)) {
+    auto video = openVideoFile(word);
+    if (!video) return video.error();
+    return std::unique_ptr<Camera>(std::move(video).value());
   }
-  auto source = openOpenCvSource(word, mode);
-  if (!source) return source.error();
-  StreamingCameraOptions streaming;
-  streaming.transport_delay_s =
-      word.find("://") == std::string::npos ? kUsbDelay_s : kNetworkDelay_s;
-  return std::unique_ptr<Camera>(
-      std::make_unique<StreamingCamera>(std::move(source).value(), streaming));
+  return openDevice(word, options);
 }
 
 Result<Rig> openRig(const std::string& turntable_word, const std::string& camera_word,

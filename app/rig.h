@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/device/camera.h"
+#include "core/device/hand_turntable.h"
 #include "core/device/options.h"
 #include "core/device/turntable.h"
 #include "core/sim/renderer.h"
@@ -22,9 +23,11 @@ namespace gyre {
 
 struct RigOptions {
   TurntableOptions turntable;
-  std::string camera_mode;  // "1920x1080@MJPG"; empty leaves the camera's own
+  std::string camera_mode;  // "1920x1080@MJPG"; empty: the largest at 5 pictures a second or more
+  int mains_hz = 0;         // 50 or 60, against lamps that flicker; 0 leaves the camera's own
   RigSettings sim;          // the simulated rig
   double sim_speed = 10.0;  // simulated seconds a second, > 0
+  AskPerson ask_person;     // who turns a table without a motor; empty: nobody
 };
 
 // The far end of a simulated rig: what a real one has instead of a program.
@@ -50,12 +53,13 @@ struct Rig {
 bool namesSimulation(const std::string& word);
 std::string simulatedObject(const std::string& turntable_word);
 
-// A turntable behind "sim[:OBJECT]", "tcp:HOST:PORT" or a serial port's path. It is identified
-// and not moved. room: given for a simulated one.
+// A turntable behind "sim[:OBJECT]" or what turntableWord() reads. It is identified and not moved.
+// room: given for a simulated one.
 Result<std::unique_ptr<Turntable>> openTurntable(const std::string& word, const RigOptions& options,
                                                  SimulatedRoom* room, const Task& task);
 
-// A camera behind "sim", a number or path of a device, a URL, or a folder of pictures.
+// A camera behind "sim", a number or path of a device, a URL, "gphoto:", "ptpip:HOST[:PORT]", a
+// folder of pictures or a video file.
 Result<std::unique_ptr<Camera>> openCamera(const std::string& word, const RigOptions& options,
                                            SimulatedRoom* room);
 

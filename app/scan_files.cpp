@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "app/calibration_run.h"
 #include "app/version.h"
+#include "core/base/address.h"
 #include "core/pipeline/options.h"
 
 namespace gyre {
@@ -16,15 +18,24 @@ Result<WrittenResults> writeScanResults(const ScanStore& store,
   ResultContext context;
   context.calibration = store.calibrationRecord();
   context.angles = anglesOfViews(store.views());
+  for (const CapturedView& view : store.views()) {
+    context.pictures.push_back(store.folder() / "frames" / view.file);
+  }
   Report& report = context.report;
   report.title = settings.title;
   report.inventory_number = settings.inventory_number;
   report.rights = settings.rights;
+  report.date = nowUtcText();
   report.versions["Gyre"] = programVersion();
   report.options = optionTexts(ReconstructOptions());  // a scan leaves them as they are
   report.options["views"] = std::to_string(settings.views);
   report.inputs["turntable"] = settings.turntable;
-  report.inputs["camera"] = settings.camera;
+  report.inputs["camera"] = withoutPassword(settings.camera);
+  if (!store.views().empty()) {
+    report.inputs["captured"] = std::to_string(store.views().size()) + " views, " +
+                                store.views().front().time_utc + " to " +
+                                store.views().back().time_utc;
+  }
   if (const auto done = writeAngles(store.folder() / "angles.csv", context.angles); !done) {
     return done.error();
   }

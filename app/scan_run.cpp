@@ -85,9 +85,13 @@ Result<Reconstruction> runScan(Turntable& turntable, Camera& camera, ScanStore& 
     observer.on_begin(static_cast<int>(store.views().size()), store.settings().views);
   }
   const double start_s = steadySeconds();
+  std::size_t told = store.remarks().size();
   const auto acquired = acquire(
       turntable, camera, store,
       [&](const FramePtr& frame) {
+        for (; told < store.remarks().size(); ++told) {
+          if (observer.on_remark) observer.on_remark(store.remarks()[told].text);
+        }
         ordered.pushNew(frame);
         if (observer.on_view) observer.on_view(frame, task);
       },

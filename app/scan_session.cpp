@@ -11,13 +11,12 @@
 #include "app/calibrated_rig.h"
 #include "app/empty_table.h"
 #include "app/scan_files.h"
-#include "core/base/clock.h"
+#include "app/take_up_scan.h"
 #include "core/base/median.h"
 #include "core/io/model_file.h"
 #include "core/io/scan_store.h"
 #include "core/io/visibility_file.h"
 #include "core/mesh/mesh_health.h"
-#include "core/pipeline/find_view.h"
 #include "core/sim/rig_json.h"
 
 namespace gyre {
@@ -50,23 +49,9 @@ Result<ScanStore> storeFor(const Rig& rig, const ScanPlan& plan, const ScanObser
   const TurntableInfo info = rig.turntable->info();
   settings.units_per_turn = info.units_per_turn;
   settings.direction = info.direction;
+  settings.camera_controls = rig.camera->info().controls;
   if (rig.room) settings.sim_rig_json = rigToJson(rig.room->settings);
   return ScanStore::create(plan.folder, settings, plan.calibration);
-}
-
-// Where the table stands is not known after a pause of the program: a picture tells.
-Result<void> findTable(const Rig& rig, const ScanStore& store, const Task& task) {
-  if (store.views().empty()) return {};
-  const auto picture = rig.camera->grabAfter(steadySeconds(), task);
-  if (!picture) return picture.error();
-  const auto found = findView((*picture)->image_bgr, store, task);
-  if (!found) return found.error();
-  if (!*found) {
-    return Error{Error::Code::kRejected, "The camera sees none of the views of this scan.",
-                 "Turn the table back to where the scan began, touch neither object nor camera, "
-                 "and try again."};
-  }
-  return rig.turntable->setAngle((*found)->table_angle_rad);
 }
 
 Result<void> prepareTable(const Rig& rig, const ScanPlan& plan, const ScanObserver& observer,
@@ -74,7 +59,10 @@ Result<void> prepareTable(const Rig& rig, const ScanPlan& plan, const ScanObserv
   if (plan.begin != ScanBegin::kNew) {
     if (rig.room) rig.room->setTable(TableLoad::kObject);
     if (plan.begin == ScanBegin::kResumedInPlace) return {};
-    return findTable(rig, store, task);
+    const auto taken_up = takeUpScan(rig, store, TakeUp::kProve, task);
+    if (!taken_up) return taken_up.error();
+    for (const std::string& remark : *taken_up) tell(observer, remark);
+    return {};
   }
   if (plan.empty_table) {
     const auto kept = keepEmptyTable(*plan.empty_table, *rig.turntable, store);

@@ -17,6 +17,7 @@
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/rig.h"
+#include "app/turntable_word.h"
 #include "core/io/frame_folder.h"
 
 namespace gyre {
@@ -147,6 +148,12 @@ int fromRig(const Words& words, Console& console, const Task& task) {
     if (!sim) return console.wrongUse(sim.error());
     options.sim = *sim;
   }
+  const auto table = turntableWord(words.turntable);
+  if (table && table->port.empty()) {
+    return console.wrongUse({Error::Code::kInvalidInput,
+                             "A table turned by hand is calibrated from pictures.",
+                             "Take them at known angles, and give their folder and --angles."});
+  }
   task.report(0.0, "Opening turntable and camera");
   auto rig = openRig(words.turntable, words.camera, options, task);
   if (!rig) return console.fail(rig.error());
@@ -194,9 +201,13 @@ void addPictureWords(CLI::App& command, Words& words) {
 
 void addRigWords(CLI::App& command, Words& words) {
   command.add_option("--turntable", words.turntable,
-                     "PORT, tcp:HOST:PORT or sim:target[:TARGET]; the target stands on it");
+                     "[FIRMWARE:]PORT, [FIRMWARE:]tcp:HOST:PORT, FILE.json:PORT or "
+                     "sim:target[:TARGET]; the target stands on it");
   command.add_option("--camera", words.camera, "Number, /dev/video, URL or sim");
-  command.add_option("--camera-mode", words.rig.camera_mode, "Such as 1920x1080@MJPG");
+  command.add_option("--camera-mode", words.rig.camera_mode,
+                     "Such as 1920x1080@MJPG (default: the largest at 5 pictures a second)");
+  command.add_option("--mains-hz", words.rig.mains_hz, "Against lamps that flicker: 50 or 60")
+      ->check(CLI::IsMember({50, 60}));
   command.add_option("--axis", words.rig.turntable.axis,
                      "Letter of the axis that turns (default X)");
   command.add_option("--pictures", words.turns_pictures, "Pictures in one turn (default 24)")

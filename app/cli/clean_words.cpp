@@ -3,7 +3,6 @@
 
 #include <array>
 #include <string_view>
-#include <variant>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -22,14 +21,7 @@ constexpr std::array<std::string_view, 8> kWords = {"crop-radius",   "z-min",   
 }  // namespace
 
 void addCleanWords(CLI::App& command, CleanOptions& options) {
-  const OptionList all = OptionList::of(options);
-  OptionList said;
-  for (const std::string_view word : kWords) {
-    if (command.get_option_no_throw("--" + std::string(word)) != nullptr) continue;
-    const Option& option = *all.find(std::string(word));
-    std::visit([&](auto* field) { said(option.info, *field); }, option.field);
-  }
-  addOptionWords(command, said, kGroup);
+  addOptionWords(command, OptionList::of(options), kWords, kGroup);
   command
       .add_flag_callback(
           "--keep-pieces", [&options] { options.min_component_share = 0.0; },

@@ -1,16 +1,23 @@
-// gyre devices: ports and cameras, listed without opening any.
+// gyre devices: ports and cameras, listed without opening any, and what is the matter with a port.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/cli/device_words.h"
 #include "app/cli/subcommands.h"
 #include "app/rig.h"
+#include "app/table_at_port.h"
+#include "app/turntable_word.h"
 #include "core/device/discovery.h"
-#include "core/io/json_text.h"
+#include "core/device/port_doctor.h"
+#include "core/device/protocol_turntable.h"
 
 namespace gyre {
 namespace {
@@ -20,66 +27,59 @@ struct Words {
   std::string probe;
 };
 
-std::string field(const char* name, const std::string& value) {
-  return std::string("\"") + name + "\": " + jsonString(value);
-}
-
-std::string mayOpen(bool may_open) {
-  return std::string("\"may_open\": ") + (may_open ? "true" : "false");
-}
-
-std::string jsonOf(const PortInfo& port) {
-  return "{" + field("path", port.path) + ", " + field("stable_path", port.stable_path) + ", " +
-         field("description", port.description) + ", " + field("usb_id", port.usb_id) + ", " +
-         mayOpen(port.may_open) + ", " + field("hindrance", port.hindrance) + "}";
-}
-
-std::string jsonOf(const CameraDeviceInfo& camera) {
-  return "{" + field("path", camera.path) + ", " + field("description", camera.description) + ", " +
-         mayOpen(camera.may_open) + ", " + field("hindrance", camera.hindrance) + "}";
-}
-
-template <class Device>
-std::string jsonList(const std::vector<Device>& devices) {
-  std::string text = "[";
-  for (const Device& device : devices) {
-    text += (text.size() > 1 ? ",\n    " : "\n    ") + jsonOf(device);
+// What answers at the port. Moves nothing.
+PortDiagnosis diagnose(const TurntableWord& word, const Task& task) {
+  const TurntableOptions options;
+  TableSearch search = searchAtPort(word, options.greeting_s, task);
+  std::optional<TurntableInfo> info;
+  if (search.driver) {
+    const auto table = ProtocolTurntable::adopt(std::move(search.driver), options, task);
+    if (table) {
+      info = (*table)->info();
+    } else {
+      search.error = table.error();
+    }
   }
-  return text + (devices.empty() ? "]" : "\n  ]");
+  return diagnoseSearch(word.port, search, info);
 }
 
-template <class Device>
-void tell(Console& console, const std::string& kind, const std::vector<Device>& devices) {
-  if (devices.empty()) console.say("No " + kind + " is connected.");
-  for (const Device& device : devices) {
-    console.say(device.path + "  " + device.description);
-    if (!device.hindrance.empty()) console.say("    " + device.hindrance);
+int probe(const Words& words, Console& console, const Task& task) {
+  const auto word = turntableWord(words.probe);
+  if (!word) return console.wrongUse(word.error());
+  if (word->port.empty()) {
+    return console.wrongUse({Error::Code::kInvalidInput, "A table turned by hand has no port.",
+                             "Name a port, such as /dev/ttyUSB0."});
   }
-}
-
-// Says what answers at the port. Moves nothing.
-int probe(const std::string& port, Console& console, const Task& task) {
-  const RigOptions options;
-  const auto turntable = openTurntable(port, options, nullptr, task);
-  if (!turntable) return console.fail(turntable.error());
-  const TurntableInfo info = (*turntable)->info();
-  console.say(port + "  " + info.firmware + ", " +
-              std::to_string(static_cast<long>(info.steps_per_turn)) + " steps a turn");
-  for (const std::string& hindrance : info.hindrances) console.say("    " + hindrance);
-  return kDone;
+  const PortDiagnosis found = diagnose(*word, task);
+  if (task.stopRequested()) return console.fail(cancelled());
+  const bool usable = found.state == PortState::kTurntable || found.state == PortState::kHindered;
+  if (words.json) {
+    console.sayAlways(diagnosisJson(found));
+    return usable ? kDone : kFailed;
+  }
+  if (usable) {
+    tellDiagnosis(console, found);
+    return kDone;
+  }
+  for (const TableAnswer& answer : found.answers) {
+    console.note("    at " + std::to_string(answer.baud) + " baud, asked " + answer.asked + ": " +
+                 (answer.heard.empty() ? "no answer" : answer.heard));
+  }
+  return console.fail({Error::Code::kRejected, found.what, found.advice});
 }
 
 int run(const Words& words, Console& console, const Task& task) {
-  if (!words.probe.empty()) return probe(words.probe, console, task);
-  const auto ports = listPorts();
+  if (!words.probe.empty()) return probe(words, console, task);
+  std::vector<ListedPort> ports;
+  for (const PortInfo& port : listPorts()) ports.push_back({port, diagnosePort(port.path)});
+  const auto adapters = diagnoseAdapters();
   const auto cameras = listCameras();
   if (words.json) {
-    console.sayAlways("{\n  \"ports\": " + jsonList(ports) +
-                      ",\n  \"cameras\": " + jsonList(cameras) + "\n}");
+    console.sayAlways(devicesJson(ports, adapters, cameras));
     return kDone;
   }
-  tell(console, "serial port", ports);
-  tell(console, "camera", cameras);
+  tellPorts(console, ports, adapters);
+  tellCameras(console, cameras);
   console.say("Always there: the simulated rig, as --turntable sim --camera sim.");
   return kDone;
 }
@@ -89,9 +89,10 @@ int run(const Words& words, Console& console, const Task& task) {
 void addDevices(CLI::App& app, Run& chosen) {
   auto words = std::make_shared<Words>();
   CLI::App* command = app.add_subcommand("devices", "List ports and cameras without opening them");
-  auto* json = command->add_flag("--json", words->json, "As JSON");
-  command->add_option("--probe", words->probe, "Identify the turntable at this port; moves nothing")
-      ->excludes(json)
+  command->add_flag("--json", words->json, "As JSON");
+  command
+      ->add_option("--probe", words->probe,
+                   "Find out what answers at this port, [FIRMWARE:]PORT; moves nothing")
       ->check([](const std::string& port) {
         return namesSimulation(port) ? "sim is always there; name a port" : "";
       });

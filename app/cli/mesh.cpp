@@ -1,9 +1,12 @@
 // gyre mesh: a surface through points that were measured before.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -19,9 +22,13 @@
 #include "core/mesh/clean/clean_mesh.h"
 #include "core/pipeline/colour_mesh.h"
 #include "core/pipeline/make_mesh.h"
+#include "core/pipeline/report_page.h"
 
 namespace gyre {
 namespace {
+
+constexpr std::array<std::string_view, 3> kHullWords = {"hull-cell", "hull-gap",
+                                                        "hull-disbelieved"};
 
 struct Words {
   std::string input;
@@ -77,6 +84,17 @@ Result<void> colour(Mesh& mesh, const Words& words, MeshMethod method, const Mes
   return {};
 }
 
+// The report beside the points shows the folder's own mesh: it is written anew with that.
+Result<void> refreshPage(const Words& words, const std::filesystem::path& folder) {
+  const std::filesystem::path out = words.out;
+  std::error_code ignored;
+  const bool own = out.filename() == "mesh.ply" &&
+                   std::filesystem::equivalent(std::filesystem::absolute(out).parent_path(),
+                                               std::filesystem::absolute(folder), ignored);
+  if (!own || !std::filesystem::exists(folder / "report.json", ignored)) return {};
+  return writeReportPage(folder);
+}
+
 int run(const Words& words, Console& console, const Task& task) {
   const auto request = requestOf(words);
   if (!request) return console.wrongUse(request.error());
@@ -98,6 +116,7 @@ int run(const Words& words, Console& console, const Task& task) {
   if (!coloured) return console.fail(coloured.error());
   const auto written = writeModel(words.out, made->mesh, labelOfScan(words.input));
   if (!written) return console.fail(written.error());
+  if (const auto told = refreshPage(words, input->folder); !told) return console.fail(told.error());
   tellMesh(console, *made, cleaned, movedAlongZ_mm(words.out, made->mesh));
   return kDone;
 }
@@ -123,6 +142,7 @@ void addMesh(CLI::App& app, Run& chosen) {
   command->add_option("--pictures", words->pictures,
                       "Folder of the scan's pictures: colours are taken from them");
   addOptionWords(*command, OptionList::of(words->cut), "Fine tuning");
+  addOptionWords(*command, OptionList::of(words->hull), kHullWords, "Fine tuning");
   addCleanWords(*command, words->clean);
   command->callback([&chosen, words] {
     chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool exists(const fs::path& file) {
+bool isThere(const fs::path& file) {
   std::error_code ignored;
   return fs::exists(file, ignored);
 }
@@ -28,14 +28,14 @@ fs::path pointsFile(const std::string& input) {
 }
 
 Result<PointCloud> readPoints(const fs::path& file) {
-  if (!exists(file)) {
+  if (!isThere(file)) {
     return Error{Error::Code::kNotFound, "There is no \"" + file.string() + "\".",
                  "Name the folder of a reconstruction, a scan, or a file of points."};
   }
   auto cloud = readPointCloud(file);
   if (!cloud) return cloud;
   const fs::path visibility = file.parent_path() / "visibility.bin";
-  if (file.filename() == "points.ply" && exists(visibility)) {
+  if (file.filename() == "points.ply" && isThere(visibility)) {
     if (const auto read = readVisibility(visibility, *cloud); !read) return read.error();
   }
   return cloud;
@@ -50,12 +50,12 @@ Result<MeshInput> readMeshInput(const std::string& input, MeshMethod method) {
   auto cloud = readPoints(file);
   if (cloud) {
     read.cloud = std::move(*cloud);
-  } else if (method != MeshMethod::kSilhouette || !exists(read.folder / "silhouettes.bin")) {
+  } else if (method != MeshMethod::kSilhouette || !isThere(read.folder / "silhouettes.bin")) {
     return cloud.error();
   }
   // A cloud of another program may lie beside a scan's files.
   if (file.filename() != "points.ply") return read;
-  if (method != MeshMethod::kSilhouette && !exists(read.folder / "visibility.bin")) return read;
+  if (method != MeshMethod::kSilhouette && !isThere(read.folder / "visibility.bin")) return read;
   auto sights = readSights(read.folder, read.cloud);
   if (!sights) return sights.error();
   read.sights = std::move(*sights);

@@ -10,6 +10,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/calibration_run.h"
 #include "app/cli/find_unknowns.h"
 #include "app/cli/option_words.h"
 #include "app/cli/scan_ending.h"
@@ -49,9 +50,13 @@ ResultContext contextOf(const PictureSet& set, const PreparedPictures& prepared,
                         const ReconstructOptions& options) {
   ResultContext context;
   context.calibration = prepared.calibration;
-  for (const PictureView& view : prepared.views) context.angles[view.name] = view.table_angle_rad;
+  for (const PictureView& view : prepared.views) {
+    context.angles[view.name] = view.table_angle_rad;
+    context.pictures.push_back(view.file);
+  }
   Report& report = context.report;
   report.title = set.pictures.filename().string();
+  report.date = nowUtcText();
   report.versions["Gyre"] = programVersion();
   report.options = optionTexts(options);
   report.inputs["pictures"] = set.pictures.string();

@@ -7,15 +7,14 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/cli/ask_person.h"
 #include "app/cli/scan_ending.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
-#include "core/base/clock.h"
-#include "core/device/folder_camera.h"
+#include "app/take_up_scan.h"
 #include "core/io/scan_store.h"
-#include "core/pipeline/find_view.h"
 #include "core/sim/rig_json.h"
 
 namespace gyre {
@@ -25,31 +24,12 @@ struct Words {
   std::string scan;
   std::string turntable;  // empty: as before
   std::string camera;     // likewise
+  bool trust = false;
   double sim_speed = 10.0;
 };
 
-Error standsElsewhere() {
-  return {Error::Code::kInvalidInput,
-          "The table stands where no captured view shows it, so nothing was moved.",
-          "Turn the table back by hand to where the scan began, and resume again."};
-}
-
-// Tells the table its angle by what the camera sees. Moves nothing.
-Result<void> findAngle(Rig& rig, const ScanStore& store, const Task& task) {
-  if (store.views().empty()) return rig.turntable->setAngle(store.settings().start_angle_rad);
-  // A folder's pictures are those of the views: the last captured one is where it stands.
-  if (auto* folder = dynamic_cast<FolderCamera*>(rig.camera.get())) {
-    folder->goTo(store.views().size() - 1);
-  }
-  const auto picture = rig.camera->grabAfter(steadySeconds(), task);
-  if (!picture) return picture.error();
-  const auto view = findView((*picture)->image_bgr, store, task);
-  if (!view) return view.error();
-  if (!*view) return standsElsewhere();
-  return rig.turntable->setAngle((*view)->table_angle_rad);
-}
-
-Result<Rig> openAgain(const Words& words, const ScanStore& store, const Task& task) {
+Result<Rig> openAgain(const Words& words, Console& console, const ScanStore& store,
+                      const Task& task) {
   const ScanSettings& settings = store.settings();
   RigOptions options;
   options.camera_mode = settings.camera_mode;
@@ -58,6 +38,7 @@ Result<Rig> openAgain(const Words& words, const ScanStore& store, const Task& ta
   options.turntable.direction = settings.direction;
   options.turntable.turning_measured = settings.units_per_turn != 360.0;
   options.sim_speed = words.sim_speed;
+  options.ask_person = askAtTerminal(console);
   if (!settings.sim_rig_json.empty()) {
     const auto sim = rigFromJson(settings.sim_rig_json);
     if (!sim) return sim.error();
@@ -69,19 +50,29 @@ Result<Rig> openAgain(const Words& words, const ScanStore& store, const Task& ta
 
 int captureRest(const Words& words, Console& console, ScanStore& store, const Task& task) {
   task.report(0.0, "Opening turntable and camera");
-  auto rig = openAgain(words, store, task);
+  auto rig = openAgain(words, console, store, task);
   if (!rig) return failScan(console, store, rig.error());
   tellDevices(console, *rig);
   if (rig->room) rig->room->setTable(TableLoad::kObject);
-  if (const auto found = findAngle(*rig, store, task.part(0.0, 0.05)); !found) {
-    return failScan(console, store, found.error());
+  const auto taken_up =
+      takeUpScan(*rig, store, words.trust ? TakeUp::kTrust : TakeUp::kProve, task.part(0.0, 0.05));
+  if (!taken_up) {
+    const int code = failScan(console, store, taken_up.error());
+    if (taken_up.error().code == Error::Code::kRejected) {
+      console.warn(
+          "`gyre resume --trust` goes on all the same: say so only when you know that "
+          "nothing was touched.");
+    }
+    return code;
   }
+  for (const std::string& remark : *taken_up) console.warn(remark);
   if (const auto taken = takeEmptyTable(*rig, store, task); !taken) {
     return failScan(console, store, taken.error());
   }
-  return endScan(console, store,
-                 runScan(*rig->turntable, *rig->camera, store, task.part(0.05, 0.9)),
-                 task.part(0.9, 1.0));
+  return endScan(
+      console, store,
+      runScan(*rig->turntable, *rig->camera, store, remarksTo(console), task.part(0.05, 0.9)),
+      task.part(0.9, 1.0));
 }
 
 int run(const Words& words, Console& console, const Task& task) {
@@ -106,6 +97,8 @@ void addResume(CLI::App& app, Run& chosen) {
       ->required();
   command->add_option("--turntable", words->turntable, "When it is at another port than before");
   command->add_option("--camera", words->camera, "When its address needs a password, or changed");
+  command->add_flag("--trust", words->trust,
+                    "Go on though the pictures do not show that all stands as it stood");
   command->add_option("--sim-speed", words->sim_speed, "Simulated seconds a second (default 10)")
       ->check(CLI::Range(0.1, 1000.0));
   command->callback([&chosen, words] {

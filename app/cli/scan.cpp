@@ -11,12 +11,15 @@
 
 #include "app/calibrated_rig.h"
 #include "app/calibration_run.h"
+#include "app/cli/ask_person.h"
 #include "app/cli/scan_ending.h"
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
+#include "app/turntable_word.h"
+#include "core/device/view_steps.h"
 #include "core/io/calibration_record_file.h"
 #include "core/io/scan_store.h"
 #include "core/sim/rig_json.h"
@@ -29,6 +32,7 @@ struct Words {
   std::string calibration;
   std::string background;
   std::string out;
+  int mains_hz = 0;
   SimWords sim;
 };
 
@@ -42,7 +46,7 @@ struct Plan {
 Result<Plan> planOf(const Words& words) {
   Plan plan;
   plan.settings = words.settings;
-  plan.options.camera_mode = words.settings.camera_mode;
+  plan.options.mains_hz = words.mains_hz;
   plan.options.turntable.axis = words.settings.axis;
   if (const auto valid = plan.options.turntable.validate(); !valid) return valid.error();
   plan.options.sim_speed = words.sim.speed;
@@ -54,6 +58,8 @@ Result<Plan> planOf(const Words& words) {
     plan.settings.sim_rig_json = rigToJson(*rig);
     // The rig's record tells all: what the word named is found again from any folder.
     if (rig->object == "target") plan.settings.turntable = "sim";
+  } else {
+    plan.settings.turntable = lastingTurntableWord(words.settings.turntable);
   }
   if (!words.calibration.empty()) {
     auto calibration = readCalibrationRecord(words.calibration);
@@ -65,6 +71,10 @@ Result<Plan> planOf(const Words& words) {
     return Error{Error::Code::kInvalidInput, "A real rig cannot be measured with uncalibrated.",
                  "Give its calibration with --calibration FILE."};
   }
+  // A calibration holds for one mode: that one, unless another is asked for.
+  std::string& mode = plan.settings.camera_mode;
+  if (mode.empty() && plan.calibration.camera) mode = plan.calibration.camera->mode;
+  plan.options.camera_mode = mode;
   return plan;
 }
 
@@ -79,20 +89,23 @@ Result<void> matchCalibration(const Words& words, const Rig& rig, Plan& plan, Co
   const TurntableInfo info = rig.turntable->info();
   plan.settings.units_per_turn = info.units_per_turn;
   plan.settings.direction = info.direction;
+  plan.settings.camera_controls = rig.camera->info().controls;
   return {};
 }
 
-Result<Reconstruction> scan(const Words& words, Rig& rig, ScanStore& store, const Task& task) {
+Result<Reconstruction> scan(const Words& words, Rig& rig, ScanStore& store, Console& console,
+                            const Task& task) {
   if (!words.background.empty()) {
     if (const auto kept = keepEmptyTable(words.background, store); !kept) return kept.error();
   }
   if (const auto taken = takeEmptyTable(rig, store, task); !taken) return taken.error();
-  return runScan(*rig.turntable, *rig.camera, store, task);
+  return runScan(*rig.turntable, *rig.camera, store, remarksTo(console), task);
 }
 
 int run(const Words& words, Console& console, const Task& task) {
   auto plan = planOf(words);
   if (!plan) return console.fail(plan.error());
+  plan->options.ask_person = askAtTerminal(console);
   task.report(0.0, "Opening turntable and camera");
   auto rig = openRig(plan->settings.turntable, plan->settings.camera, plan->options, task);
   if (!rig) return console.fail(rig.error());
@@ -100,9 +113,12 @@ int run(const Words& words, Console& console, const Task& task) {
   if (const auto matched = matchCalibration(words, *rig, *plan, console, task); !matched) {
     return console.fail(matched.error());
   }
+  const std::string uneven =
+      viewStepsRemark(rig->turntable->info().steps_per_turn, plan->settings.views);
+  if (!uneven.empty()) console.warn(uneven);
   auto store = ScanStore::create(words.out, plan->settings, plan->calibration);
   if (!store) return console.fail(store.error());
-  return endScan(console, *store, scan(words, *rig, *store, task.part(0.0, 0.9)),
+  return endScan(console, *store, scan(words, *rig, *store, console, task.part(0.0, 0.9)),
                  task.part(0.9, 1.0));
 }
 
@@ -114,11 +130,17 @@ void addScan(CLI::App& app, Run& chosen) {
   CLI::App* command = app.add_subcommand("scan", "Scan what stands on the turntable");
   command
       ->add_option("--turntable", settings.turntable,
-                   "PORT, tcp:HOST:PORT, sim[:OBJECT] or sim:target[:FILE]")
+                   "[FIRMWARE:]PORT, [FIRMWARE:]tcp:HOST:PORT, FILE.json:PORT, hand[:MARKS], "
+                   "sim[:OBJECT] or sim:target[:FILE]")
       ->required();
-  command->add_option("--camera", settings.camera, "Number, /dev/video, URL, folder or sim")
+  command
+      ->add_option("--camera", settings.camera,
+                   "Number, /dev/video, URL, gphoto:, ptpip:HOST, folder, video or sim")
       ->required();
-  command->add_option("--camera-mode", settings.camera_mode, "Such as 1920x1080@MJPG");
+  command->add_option("--camera-mode", settings.camera_mode,
+                      "Such as 1920x1080@MJPG (default: as calibrated)");
+  command->add_option("--mains-hz", words->mains_hz, "Against lamps that flicker: 50 or 60")
+      ->check(CLI::IsMember({50, 60}));
   command->add_option("--calibration", words->calibration, "calibration.json of this rig");
   command->add_option("--axis", settings.axis, "Letter of the axis that turns (default X)");
   command->add_option("--background", words->background, "Picture of the empty table, or a folder");

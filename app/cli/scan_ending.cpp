@@ -83,6 +83,12 @@ int failScan(Console& console, const ScanStore& store, const Error& error) {
   return code;
 }
 
+ScanObserver remarksTo(Console& console) {
+  ScanObserver observer;
+  observer.on_remark = [&console](const std::string& remark) { console.warn(remark); };
+  return observer;
+}
+
 std::string secondsText(double seconds) {
   const long whole = std::lround(seconds);
   if (whole < 120) return std::to_string(whole) + " s";

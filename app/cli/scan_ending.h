@@ -7,6 +7,7 @@
 #include "app/cli/console.h"
 #include "app/rig.h"
 #include "app/scan_files.h"
+#include "app/scan_run.h"
 
 namespace gyre {
 
@@ -23,6 +24,9 @@ int endScan(Console& console, const ScanStore& store, const Result<Reconstructio
 
 // Says why the scan ended early, what is kept, and how it goes on. Gives the exit code.
 int failScan(Console& console, const ScanStore& store, const Error& error);
+
+// Tells what is remarked while a scan is taken, as it happens.
+ScanObserver remarksTo(Console& console);
 
 // "42 s", "2 min 5 s".
 std::string secondsText(double seconds);

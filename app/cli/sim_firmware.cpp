@@ -8,6 +8,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "app/cli/subcommands.h"
+#include "core/sim/firmware_boards.h"
 #include "core/sim/firmware_server.h"
 #include "core/sim/shaft.h"
 #include "core/sim/sim_clock.h"
@@ -18,14 +19,16 @@ namespace {
 struct Words {
   int tcp_port = 0;
   double speed = 1.0;
+  std::string firmware = "grbl";
 };
 
 int run(const Words& words, Console& console, const Task& task) {
   const auto firmware = std::make_shared<TurntableFirmware>(
-      TurntableFirmwareOptions{}, std::make_shared<Shaft>(), SimClock(words.speed));
+      makeFirmwareBoard(words.firmware, TurntableFirmwareOptions{}, std::make_shared<Shaft>()),
+      SimClock(words.speed));
   const auto server = FirmwareServer::start(firmware, words.tcp_port);
   if (!server) return console.fail(server.error());
-  console.say("The simulated turntable listens on tcp:127.0.0.1:" +
+  console.say("The simulated turntable (" + words.firmware + ") listens on tcp:127.0.0.1:" +
               std::to_string((*server)->port()) + "; Ctrl-C ends it.");
   while (task.sleepFor(60.0)) {
   }
@@ -41,6 +44,8 @@ void addSimFirmware(CLI::App& app, Run& chosen) {
   command->add_option("--tcp", words->tcp_port, "Port on 127.0.0.1; 0 lets the system choose")
       ->required()
       ->check(CLI::Range(0, 65535));
+  command->add_option("--firmware", words->firmware, "What is on its board (default grbl)")
+      ->check(CLI::IsMember(firmwareBoardNames()));
   command->add_option("--sim-speed", words->speed, "Simulated seconds a second (default 1)")
       ->check(CLI::Range(0.1, 1000.0));
   command->callback([&chosen, words] {

@@ -17,13 +17,17 @@ namespace gyre {
 using Run = std::function<int(Console& console, const Task& task)>;
 
 // Each adds one subcommand to app; when the words name it, `chosen` becomes what to run.
+void addBundle(CLI::App& app, Run& chosen);
 void addCalibrate(CLI::App& app, Run& chosen);
 void addCompare(CLI::App& app, Run& chosen);
 void addDemo(CLI::App& app, Run& chosen);
 void addDevices(CLI::App& app, Run& chosen);
+void addExport(CLI::App& app, Run& chosen);
+void addMeasure(CLI::App& app, Run& chosen);
 void addMesh(CLI::App& app, Run& chosen);
 void addPrintTarget(CLI::App& app, Run& chosen);
 void addReconstruct(CLI::App& app, Run& chosen);
+void addReport(CLI::App& app, Run& chosen);
 void addReproduce(CLI::App& app, Run& chosen);
 void addResume(CLI::App& app, Run& chosen);
 void addScan(CLI::App& app, Run& chosen);

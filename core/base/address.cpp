@@ -8,6 +8,9 @@
 namespace gyre {
 namespace {
 
+// What stands in place of a password.
+constexpr const char* kHidden = "***";
+
 bool namesSecret(std::string_view key) {
   std::string lower(key);
   std::transform(lower.begin(), lower.end(), lower.begin(),
@@ -25,7 +28,7 @@ std::string withoutSecrets(std::string_view query) {
     const std::string_view field = query.substr(0, end);
     const std::size_t equals = field.find('=');
     const bool secret = equals != std::string_view::npos && namesSecret(field.substr(0, equals));
-    kept += secret ? field.substr(0, equals + 1) : field;
+    kept += secret ? std::string(field.substr(0, equals + 1)) + kHidden : std::string(field);
     kept += query.substr(end, 1);
     query.remove_prefix(std::min(end + 1, query.size()));
   }
@@ -47,6 +50,14 @@ std::size_t lengthOfUser(std::string_view rest) {
   return is_port || last_at == std::string_view::npos ? 0 : last_at + 1;
 }
 
+// "user:***@" for "user:password@"; a user alone may be a key, and is hidden whole.
+std::string withHiddenPassword(std::string_view user) {
+  if (user.empty()) return {};
+  const std::size_t colon = user.find(':');
+  const std::string_view shown = colon == std::string_view::npos ? "" : user.substr(0, colon + 1);
+  return std::string(shown) + kHidden + "@";
+}
+
 }  // namespace
 
 std::string withoutPassword(const std::string& address) {
@@ -57,9 +68,14 @@ std::string withoutPassword(const std::string& address) {
   const std::string_view host = rest.substr(lengthOfUser(rest));
   const std::size_t query = std::min(host.find('?'), host.size());
   std::string kept = address.substr(0, scheme + 3);
+  kept += withHiddenPassword(rest.substr(0, rest.size() - host.size()));
   kept += host.substr(0, query);
   if (query < host.size()) kept.append("?").append(withoutSecrets(host.substr(query + 1)));
   return kept;
+}
+
+bool lacksPassword(const std::string& address) {
+  return address.find("://") != std::string::npos && address.find(kHidden) != std::string::npos;
 }
 
 }  // namespace gyre

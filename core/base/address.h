@@ -6,8 +6,11 @@
 
 namespace gyre {
 
-// The address without user name, password, and the values of query fields that name one. Anything
-// that is no address comes back as it is.
+// The address with "***" in place of its password, of a user name that stands alone, and of the
+// values of query fields that name one. Anything that is no address comes back as it is.
 std::string withoutPassword(const std::string& address);
+
+// Whether the address is one whose password was left out by withoutPassword().
+bool lacksPassword(const std::string& address);
 
 }  // namespace gyre

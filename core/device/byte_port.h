@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "core/base/clock.h"
 #include "core/base/result.h"
 
 namespace gyre {
@@ -21,6 +22,9 @@ class BytePort {
 
   // Writes all bytes, or fails with kTimeout, kGone or kIo.
   virtual Result<void> write(std::span<const std::byte> bytes, double timeout_s) = 0;
+
+  // The clock by which its waits run; deadlines of exchanges are told by it. Any thread.
+  virtual double seconds() const { return steadySeconds(); }
 
   // How people know it: "/dev/ttyACM0", "tcp:192.168.4.1:23", "simulated turntable".
   virtual std::string name() const = 0;

@@ -20,7 +20,13 @@ class Camera {
 
   // Locks and reads back the controls; see FrameSource.
   virtual Result<CameraInfo> lockControls() = 0;
+  // The controls as they stand now, to see whether they stayed where they were locked.
+  virtual Result<CameraInfo> readControls() { return info(); }
   virtual CameraInfo info() const = 0;
+
+  // A picture for looking at, of any age and size. Other than grabAfter(), it costs no shutter of a
+  // camera that has one. kRejected when the camera has no live picture.
+  virtual Result<FramePtr> preview(const Task& task);
 
  protected:
   Camera() = default;

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <vector>
 
-#include "core/device/camera.h"
+#include "core/device/recorded_camera.h"
 
 namespace gyre {
 
@@ -16,20 +16,16 @@ namespace gyre {
 using PictureReader = std::function<Result<cv::Mat>(const std::filesystem::path&)>;
 
 // Any thread.
-class FolderCamera final : public Camera {
+class FolderCamera final : public RecordedCamera {
  public:
   // pictures: in the order in which they were taken.
   FolderCamera(std::vector<std::filesystem::path> pictures, PictureReader reader);
 
-  // The next picture when the moment is later than that at which the present one was first given,
-  // else the present one again: whoever looks twice at one view sees it twice. kNotFound after the
-  // last one.
   Result<FramePtr> grabAfter(double time_s, const Task& task) override;
   Result<CameraInfo> lockControls() override { return info(); }
   CameraInfo info() const override;
 
-  // The next picture is pictures[index]. For a scan that goes on where it was cut off.
-  void goTo(std::size_t index);
+  void goTo(std::size_t index) override;
 
  private:
   const std::vector<std::filesystem::path> pictures_;

@@ -15,7 +15,8 @@ class FrameSource {
   virtual ~FrameSource() = default;
 
   // Takes the next picture from the driver without decoding it; waits for one at most timeout_s.
-  // kTimeout when none came, kGone when the camera vanished, kNotFound at the end of a folder.
+  // kTimeout when none came, kGone when the camera vanished for good. A time-out with advice says
+  // what is wrong meanwhile, such as a network camera that is being looked for again.
   virtual Result<void> grab(double timeout_s) = 0;
 
   // True when grab(0) answers kTimeout, without waiting, exactly when no picture is queued. A
@@ -29,6 +30,9 @@ class FrameSource {
   // Locks focus, exposure, gain and white balance at their present values where the driver can,
   // reads them back, and tells which could not be locked.
   virtual CameraInfo lockControls() = 0;
+
+  // The controls as the driver has them now; changes none.
+  virtual CameraInfo readControls() { return info(); }
   virtual CameraInfo info() const = 0;
 
  protected:

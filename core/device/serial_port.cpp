@@ -80,9 +80,14 @@ unsigned milliseconds(double seconds) {
 
 }  // namespace
 
+std::optional<Error> portError(const std::string& path) {
+  if (access(path.c_str(), R_OK | W_OK) == 0) return std::nullopt;
+  return openError(path, errno);
+}
+
 std::string portHindrance(const std::string& path) {
-  if (access(path.c_str(), R_OK | W_OK) == 0) return {};
-  return openError(path, errno).sentence();
+  const std::optional<Error> error = portError(path);
+  return error ? error->sentence() : "";
 }
 
 SerialPort::SerialPort(sp_port* port, std::string path) : port_(port), path_(std::move(path)) {}

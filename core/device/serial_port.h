@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/device/byte_port.h"
@@ -34,8 +35,11 @@ class SerialPort final : public BytePort {
   std::string path_;
 };
 
-// Why the user may not open the device file, with the cure; empty when he may. The file is not
+// Why the user may not open the device file, with the cure; nothing when he may. The file is not
 // opened.
+std::optional<Error> portError(const std::string& path);
+
+// The same as a sentence, empty when he may.
 std::string portHindrance(const std::string& path);
 
 }  // namespace gyre

@@ -19,6 +19,8 @@ constexpr double kGrabSlice_s = 0.1;
 constexpr int kMaxBrokenPictures = 30;
 // The mean interval follows the last thirty pictures or so.
 constexpr double kSmallestGain = 0.03;
+// An outage is no interval between pictures.
+constexpr double kLongestIntervals = 4.0;
 
 Error silent(double seconds) {
   return {Error::Code::kTimeout,
@@ -67,18 +69,19 @@ Result<FramePtr> StreamingCamera::grabAfter(double time_s, const Task& task) {
 std::optional<Error> StreamingCamera::overdue(double asked_s) const {
   const double now_s = steadySeconds();
   if (now_s - std::max(asked_s, last_arrival_s_) > options_.silence_s) {
-    return silent(options_.silence_s);
+    return trouble_ ? *trouble_ : silent(options_.silence_s);
   }
   if (now_s - asked_s > options_.patience_s) return alwaysLate();
   return std::nullopt;
 }
 
-Result<CameraInfo> StreamingCamera::lockControls() {
+Result<CameraInfo> StreamingCamera::askSource(Wish wish) {
   std::unique_lock lock(mutex_);
-  const int request = ++lock_requests_;
+  const int request = ++asked_;
+  if (wish == Wish::kLock) lock_asked_ = true;
   // A driver may take its time over each control, but not for ever.
   const bool done = changed_.wait_for(lock, std::chrono::duration<double>(options_.patience_s),
-                                      [&] { return failure_ || locks_done_ >= request; });
+                                      [&] { return failure_ || answered_ >= request; });
   if (failure_) return *failure_;
   if (!done) return silent(options_.patience_s);
   return info_;
@@ -99,8 +102,18 @@ void StreamingCamera::run(const std::stop_token& stop) {
     serveControls();
     const Result<void> grabbed = grabNext();
     const bool came = grabbed.ok();
+    noteTrouble(grabbed);
     if (!came && grabbed.error().code != Error::Code::kTimeout) return fail(grabbed.error());
     if (came && wanted() && !publish()) return;
+  }
+}
+
+void StreamingCamera::noteTrouble(const Result<void>& grabbed) {
+  const std::scoped_lock lock(mutex_);
+  if (grabbed) {
+    trouble_.reset();
+  } else if (!grabbed.error().advice.empty()) {
+    trouble_ = grabbed.error();
   }
 }
 
@@ -134,21 +147,25 @@ void StreamingCamera::noteArrival(double empty_s, double arrival_s) {
   empty_s_ = empty_s;
   const std::scoped_lock lock(mutex_);
   const double gain = std::max(1.0 / ++gaps_, kSmallestGain);
-  interval_s_ += gain * (arrival_s - last_arrival_s_ - interval_s_);
+  double interval_s = arrival_s - last_arrival_s_;
+  if (gaps_ > 2) interval_s = std::min(interval_s, kLongestIntervals * interval_s_);
+  interval_s_ += gain * (interval_s - interval_s_);
   last_arrival_s_ = arrival_s;
 }
 
 void StreamingCamera::serveControls() {
   int request = 0;
+  bool lock_asked = false;
   {
     const std::scoped_lock lock(mutex_);
-    if (locks_done_ == lock_requests_) return;
-    request = lock_requests_;
+    if (answered_ == asked_) return;
+    request = asked_;
+    lock_asked = std::exchange(lock_asked_, false);
   }
-  CameraInfo locked = source_->lockControls();
+  CameraInfo told = lock_asked ? source_->lockControls() : source_->readControls();
   const std::scoped_lock lock(mutex_);
-  info_ = std::move(locked);
-  locks_done_ = request;
+  info_ = std::move(told);
+  answered_ = request;
   changed_.notify_all();
 }
 

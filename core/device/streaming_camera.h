@@ -40,7 +40,8 @@ class StreamingCamera final : public Camera {
   StreamingCamera& operator=(const StreamingCamera&) = delete;
 
   Result<FramePtr> grabAfter(double time_s, const Task& task) override;
-  Result<CameraInfo> lockControls() override;
+  Result<CameraInfo> lockControls() override { return askSource(Wish::kLock); }
+  Result<CameraInfo> readControls() override { return askSource(Wish::kRead); }
   CameraInfo info() const override;
 
   // Spent on decoding so far; on rendering, where the camera is simulated.
@@ -53,7 +54,11 @@ class StreamingCamera final : public Camera {
     double exposed_after_s = 0.0;
   };
 
+  enum class Wish : std::uint8_t { kLock, kRead };
+
+  Result<CameraInfo> askSource(Wish wish);
   void run(const std::stop_token& stop);
+  void noteTrouble(const Result<void>& grabbed);
   Result<void> grabNext();
   void noteArrival(double call_s, double arrival_s);
   void serveControls();
@@ -79,8 +84,10 @@ class StreamingCamera final : public Camera {
   std::optional<Error> failure_;  // the thread has ended
   double last_arrival_s_;
   std::multiset<double> waits_s_;  // the moments that somebody waits for
-  int lock_requests_ = 0;
-  int locks_done_ = 0;
+  int asked_ = 0;                  // of the controls, so far
+  int answered_ = 0;
+  bool lock_asked_ = false;
+  std::optional<Error> trouble_;  // what the source says of its silence
 
   std::jthread thread_;  // last: it must stop before the rest goes
 };

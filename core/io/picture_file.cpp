@@ -48,6 +48,19 @@ Result<cv::Mat> decode(const std::filesystem::path& file, int color_flag) {
   }
 }
 
+Result<std::string> packed(const cv::Mat& image, const char* ending,
+                           const std::vector<int>& parameters) {
+  try {
+    std::vector<std::uint8_t> buffer;
+    if (cv::imencode(ending, image, buffer, parameters)) {
+      return std::string(buffer.begin(), buffer.end());
+    }
+  } catch (const cv::Exception&) {  // told below
+  }
+  return Error{Error::Code::kInvalidInput, "A picture could not be packed as PNG or JPEG.",
+               "It must have 8 or 16 bits and 1, 3 or 4 channels."};
+}
+
 }  // namespace
 
 Result<PictureHeader> inspectPictureFile(const std::filesystem::path& file) {
@@ -74,16 +87,12 @@ Result<cv::Mat> readMask(const std::filesystem::path& file) {
 }
 
 Result<std::string> pngBytes(const cv::Mat& image) {
-  try {
-    std::vector<std::uint8_t> buffer;
-    // Level 1: twice the speed of the default for pictures that are a few per cent larger.
-    if (cv::imencode(".png", image, buffer, {cv::IMWRITE_PNG_COMPRESSION, 1})) {
-      return std::string(buffer.begin(), buffer.end());
-    }
-  } catch (const cv::Exception&) {  // told below
-  }
-  return Error{Error::Code::kInvalidInput, "A picture could not be packed as PNG.",
-               "It must have 8 or 16 bits and 1, 3 or 4 channels."};
+  // Level 1: twice the speed of the default for pictures that are a few per cent larger.
+  return packed(image, ".png", {cv::IMWRITE_PNG_COMPRESSION, 1});
+}
+
+Result<std::string> jpegBytes(const cv::Mat& image, int quality) {
+  return packed(image, ".jpg", {cv::IMWRITE_JPEG_QUALITY, quality});
 }
 
 Result<void> writePicture(const std::filesystem::path& file, const cv::Mat& image) {

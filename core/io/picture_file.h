@@ -24,6 +24,9 @@ Result<cv::Mat> readMask(const std::filesystem::path& file);
 // The picture as the bytes of a PNG, lossless.
 Result<std::string> pngBytes(const cv::Mat& image);
 
+// The picture, 8 bits, as the bytes of a JPEG; quality from 1 to 100.
+Result<std::string> jpegBytes(const cv::Mat& image, int quality);
+
 // Replaces the file atomically with a lossless PNG.
 Result<void> writePicture(const std::filesystem::path& file, const cv::Mat& image);
 

@@ -7,10 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/formatted.h"
 #include "core/base/units.h"
 #include "core/io/atomic_file.h"
-#include "core/io/xml_text.h"
 
 namespace gyre {
 namespace {
@@ -63,58 +61,6 @@ ordered_json turningJson(const TurningReport& turning) {
   return root;
 }
 
-std::string withUnit(double number, const char* unit) { return formatted("%.3g %s", number, unit); }
-
-void appendRow(std::string& html, const std::string& name, const std::string& value) {
-  if (value.empty()) return;
-  html.append("<tr><th>").append(xmlText(name)).append("</th><td>").append(xmlText(value));
-  html.append("</td></tr>\n");
-}
-
-void appendTable(std::string& html, const char* title,
-                 const std::map<std::string, std::string>& rows) {
-  if (rows.empty()) return;
-  html.append("<h2>").append(title).append("</h2>\n<table>\n");
-  for (const auto& [name, value] : rows) appendRow(html, name, value);
-  html.append("</table>\n");
-}
-
-void appendResult(std::string& html, const Report& report) {
-  html.append("<table>\n");
-  appendRow(html, "Inventory number", report.inventory_number);
-  appendRow(html, "Rights", report.rights);
-  appendRow(html, "Points", std::to_string(report.points));
-  appendRow(html, "Sightings of these points", std::to_string(report.observations));
-  if (report.sigma_mm) {
-    appendRow(html, "Half of the points are certain to",
-              "± " + withUnit(report.sigma_mm->p50_mm, "mm"));
-    appendRow(html, "95 % of the points are certain to",
-              "± " + withUnit(report.sigma_mm->p95_mm, "mm"));
-  }
-  appendRow(html, "Points miss their sightings by (median)", withUnit(report.median_px, "px"));
-  appendRow(html, "Points miss their sightings by (rms)", withUnit(report.rms_px, "px"));
-  appendRow(html, "Points miss their rays by (mean)", withUnit(report.ray_distance_mm, "mm"));
-  if (report.closure_px) {
-    appendRow(html, "Gap after a full turn", withUnit(*report.closure_px, "px"));
-  }
-  if (report.closure_mm) {
-    appendRow(html, "Gap after a full turn", withUnit(*report.closure_mm, "mm"));
-  }
-  appendRow(html, "Bumps of camera and table", report.drift.sentence);
-  if (!report.size_known) {
-    appendRow(html, "Size",
-              "unknown: nothing told the scale, millimetres here are arbitrary units");
-  }
-  if (report.turning) appendRow(html, "How the table turned", report.turning->sentence);
-  html.append("</table>\n");
-}
-
-constexpr const char* kStyle =
-    "body{font:16px/1.5 sans-serif;max-width:44em;margin:2em auto;padding:0 1em;color:#222}"
-    "table{border-collapse:collapse;width:100%}th{text-align:left;font-weight:normal;color:#666}"
-    "th,td{padding:.2em .5em;border-bottom:1px solid #ddd;vertical-align:top}"
-    "td{overflow-wrap:anywhere}h2{font-size:1.1em;margin-top:2em}";
-
 }  // namespace
 
 std::optional<SigmaPercentiles> sigmaPercentiles(const PointCloud& cloud) {
@@ -135,6 +81,7 @@ std::string reportJson(const Report& report) {
   root["title"] = report.title;
   root["inventory_number"] = report.inventory_number;
   root["rights"] = report.rights;
+  root["date"] = report.date;
   root["size_known"] = report.size_known;
   root["points"] = report.points;
   root["observations"] = report.observations;
@@ -157,26 +104,8 @@ std::string reportJson(const Report& report) {
   return root.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string reportHtml(const Report& report) {
-  const std::string title = xmlText(report.title.empty() ? "Scan report" : report.title);
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<title>";
-  html.append(title).append("</title>\n<style>").append(kStyle).append("</style></head>\n<body>");
-  html.append("<h1>").append(title).append("</h1>\n");
-  appendResult(html, report);
-  std::map<std::string, std::string> times;
-  for (const auto& [stage, seconds] : report.seconds) times[stage] = withUnit(seconds, "s");
-  appendTable(html, "Time spent", times);
-  appendTable(html, "Made from", report.inputs);
-  appendTable(html, "Options", report.options);
-  appendTable(html, "Versions", report.versions);
-  return html.append("</body></html>\n");
-}
-
 Result<void> writeReport(const std::filesystem::path& folder, const Report& report) {
-  if (auto done = writeFileAtomically(folder / "report.json", reportJson(report)); !done) {
-    return done;
-  }
-  return writeFileAtomically(folder / "report.html", reportHtml(report));
+  return writeFileAtomically(folder / "report.json", reportJson(report));
 }
 
 }  // namespace gyre

@@ -1,4 +1,4 @@
-// What is to be known of a result: report.json for programs, report.html for people.
+// What is to be known of a result: report.json, for programs. For people: report_html.h.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -25,11 +25,12 @@ struct SigmaPercentiles {
 // Nothing for a cloud without points. The nearest point's own sigma, not interpolated.
 std::optional<SigmaPercentiles> sigmaPercentiles(const PointCloud& cloud);
 
-// What is unknown is left out of the page and null in the JSON.
+// What is unknown is null in the JSON, or empty.
 struct Report {
   std::string title;
   std::string inventory_number;
   std::string rights;
+  std::string date;        // when it was made, ISO 8601
   bool size_known = true;  // false: nothing told the model's scale
   std::size_t points = 0;
   std::size_t observations = 0;
@@ -49,10 +50,7 @@ struct Report {
 
 std::string reportJson(const Report& report);
 
-// One page that loads nothing from elsewhere.
-std::string reportHtml(const Report& report);
-
-// Writes report.json and report.html in the folder, each atomically.
+// Writes report.json in the folder, atomically.
 Result<void> writeReport(const std::filesystem::path& folder, const Report& report);
 
 }  // namespace gyre

@@ -68,6 +68,23 @@ std::vector<CapturedView> parseLines(std::string_view lines) {
   return views;
 }
 
+std::vector<ScanRemark> parseRemarks(std::string_view lines) {
+  std::vector<ScanRemark> remarks;
+  while (!lines.empty()) {
+    const std::size_t end = lines.find('\n');
+    const json entry = json::parse(lines.substr(0, end), nullptr, /*allow_exceptions=*/false);
+    lines.remove_prefix(end + 1);
+    if (!entry.is_object()) continue;
+    const json text = entry.value("remark", json());
+    const json view = entry.value("at_view", json());
+    const json time = entry.value("time_utc", json());
+    if (!text.is_string() || !view.is_number_integer() || view < 0 || view >= kMaxViews) continue;
+    remarks.push_back({view.get<int>(), text.get<std::string>(),
+                       time.is_string() ? time.get<std::string>() : std::string()});
+  }
+  return remarks;
+}
+
 // Returns 0 or the error number.
 int writeAll(int fd, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -92,6 +109,14 @@ std::string journalLine(const CapturedView& view) {
   return entry.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
+std::string journalLine(const ScanRemark& remark) {
+  ordered_json entry;
+  entry["at_view"] = remark.view;
+  entry["remark"] = remark.text;
+  entry["time_utc"] = remark.time_utc;
+  return entry.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
 Result<ScanJournal> ScanJournal::open(const std::filesystem::path& file) {
   ScanJournal journal;
   journal.file_ = file;
@@ -113,12 +138,19 @@ Result<ScanJournal> ScanJournal::open(const std::filesystem::path& file) {
       ::ftruncate(journal.fd_.get(), static_cast<off_t>(journal.size_)) != 0) {
     return fileError(errno, "repair", file);
   }
-  journal.views_ = parseLines(std::string_view(*bytes).substr(0, journal.size_));
+  const std::string_view whole_lines = std::string_view(*bytes).substr(0, journal.size_);
+  journal.views_ = parseLines(whole_lines);
+  journal.remarks_ = parseRemarks(whole_lines);
   return journal;
 }
 
-Result<void> ScanJournal::append(const CapturedView& view) {
-  const std::string line = journalLine(view);
+Result<void> ScanJournal::append(const CapturedView& view) { return appendLine(journalLine(view)); }
+
+Result<void> ScanJournal::append(const ScanRemark& remark) {
+  return appendLine(journalLine(remark));
+}
+
+Result<void> ScanJournal::appendLine(const std::string& line) {
   int problem = writeAll(fd_.get(), line);
   if (problem == 0 && ::fsync(fd_.get()) != 0) problem = errno;
   if (problem != 0) {

@@ -24,19 +24,27 @@ class ScanJournal {
   // The views in the file when it was opened: ascending, for each view the last line.
   const std::vector<CapturedView>& views() const { return views_; }
 
-  // When this returns success, the line is on the disk. On failure the file is as it was.
+  // The remarks in the file when it was opened, in their order.
+  const std::vector<ScanRemark>& remarks() const { return remarks_; }
+
+  // When these return success, the line is on the disk. On failure the file is as it was.
   Result<void> append(const CapturedView& view);
+  Result<void> append(const ScanRemark& remark);
 
  private:
   ScanJournal() = default;
+
+  Result<void> appendLine(const std::string& line);
 
   std::filesystem::path file_;
   UniqueFd fd_;
   std::uintmax_t size_ = 0;  // of the whole lines
   std::vector<CapturedView> views_;
+  std::vector<ScanRemark> remarks_;
 };
 
-// One view as a line of the journal, with its line feed.
+// A view or a remark as a line of the journal, with its line feed.
 std::string journalLine(const CapturedView& view);
+std::string journalLine(const ScanRemark& remark);
 
 }  // namespace gyre

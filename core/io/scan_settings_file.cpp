@@ -30,6 +30,35 @@ std::string textAt(const ordered_json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+ordered_json controlsJson(const std::vector<ControlState>& controls) {
+  ordered_json list = ordered_json::array();
+  for (const ControlState& control : controls) {
+    ordered_json entry;
+    entry["name"] = control.name;
+    entry["locked"] = control.locked;
+    entry["value"] = control.value;
+    if (!control.word.empty()) entry["word"] = control.word;
+    if (!control.remark.empty()) entry["remark"] = control.remark;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+// What is no control is passed over.
+std::vector<ControlState> controlsIn(const ordered_json& list) {
+  std::vector<ControlState> controls;
+  if (!list.is_array()) return controls;
+  for (const ordered_json& entry : list) {
+    if (!entry.is_object()) continue;
+    const ordered_json value = entry.value("value", ordered_json());
+    ControlState control{textAt(entry, "name"), entry.value("locked", ordered_json()) == true,
+                         value.is_number() ? value.get<double>() : 0.0, textAt(entry, "remark"),
+                         textAt(entry, "word")};
+    if (!control.name.empty()) controls.push_back(std::move(control));
+  }
+  return controls;
+}
+
 }  // namespace
 
 Result<ScanSettings> parseScanSettings(std::string_view text, const std::string& file) {
@@ -48,6 +77,7 @@ Result<ScanSettings> parseScanSettings(std::string_view text, const std::string&
   settings.turntable = textAt(root, "turntable");
   settings.camera = textAt(root, "camera");
   settings.camera_mode = textAt(root, "camera_mode");
+  settings.camera_controls = controlsIn(root.value("camera_controls", ordered_json()));
   if (root.contains("axis")) settings.axis = textAt(root, "axis");
   // Scans of older versions have neither, and turned as the firmware counts degrees.
   const ordered_json units = root.value("units_per_turn", ordered_json(360.0));
@@ -91,6 +121,7 @@ Result<std::string> scanSettingsText(const ScanSettings& settings) {
   root["turntable"] = settings.turntable;
   root["camera"] = withoutPassword(settings.camera);
   root["camera_mode"] = settings.camera_mode;
+  root["camera_controls"] = controlsJson(settings.camera_controls);
   root["axis"] = settings.axis;
   root["units_per_turn"] = settings.units_per_turn;
   root["direction"] = settings.direction;

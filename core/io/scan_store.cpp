@@ -19,6 +19,7 @@
 #include "core/io/calibration_record_file.h"
 #include "core/io/empty_table_file.h"
 #include "core/io/file_bytes.h"
+#include "core/io/free_space.h"
 #include "core/io/picture_file.h"
 #include "core/io/scan_settings_file.h"
 
@@ -34,8 +35,10 @@ constexpr const char* kCalibration = "calibration.json";
 
 // The folder as an absolute path with a name at its end, whatever way it was written.
 fs::path namedFolder(const fs::path& folder) {
-  std::error_code ignored;
-  fs::path named = fs::weakly_canonical(fs::absolute(folder, ignored), ignored);
+  std::error_code problem;
+  const fs::path whole = fs::absolute(folder, problem);
+  fs::path named = fs::weakly_canonical(whole, problem);
+  if (problem) named = whole.lexically_normal();  // a name too long for this; making it will tell
   return named.has_filename() ? named : named.parent_path();
 }
 
@@ -105,6 +108,9 @@ Result<ScanStore> ScanStore::create(const fs::path& folder, const ScanSettings& 
   if (fs::exists(named, problem) && !(fs::is_directory(named) && fs::is_empty(named, problem))) {
     return folderTaken(folder);
   }
+  const CameraModel& camera = calibration.calibration.camera;
+  const auto wanted = bytesForScan(settings.views, {camera.width_px, camera.height_px});
+  if (auto room = checkFreeSpace(named, wanted); !room) return room.error();
   const auto beside = makeFolderBeside(named);
   if (!beside) return beside.error();
   const std::string name = named.filename().string();
@@ -141,6 +147,7 @@ Result<ScanStore> ScanStore::open(const fs::path& folder_or_file) {
   store.folder_ = folder;
   store.settings_ = *std::move(settings);
   store.record_ = *std::move(calibration);
+  store.remarks_ = store.journal_.remarks();
   for (const CapturedView& view : store.journal_.views()) {
     if (view.view >= store.settings_.views) continue;
     if (isWholePng(folder / kFrames / view.file)) store.views_.push_back(view);
@@ -176,6 +183,13 @@ Result<void> ScanStore::addView(const Frame& frame, std::int64_t steps, double s
   } else {
     views_.insert(place, std::move(view));
   }
+  return {};
+}
+
+Result<void> ScanStore::addRemark(int view, const std::string& text) {
+  ScanRemark remark{view, text, nowUtc()};
+  if (auto done = journal_.append(remark); !done) return done;
+  remarks_.push_back(std::move(remark));
   return {};
 }
 

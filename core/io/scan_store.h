@@ -25,7 +25,8 @@ std::string viewFileName(int view);
 class ScanStore {
  public:
   // Makes the folder with settings and calibration in it, all or nothing. Fails when the folder
-  // exists and is not empty, and then touches nothing; or when it cannot be written.
+  // exists and is not empty, and then touches nothing; when it cannot be written; or with kNoSpace
+  // when the disk has no room for all views (bytesForScan).
   static Result<ScanStore> create(const std::filesystem::path& folder, const ScanSettings& settings,
                                   const CalibrationRecord& calibration);
 
@@ -40,11 +41,16 @@ class ScanStore {
   const CalibrationRecord& calibrationRecord() const { return record_; }
   const std::vector<CapturedView>& views() const { return views_; }  // ascending
   bool complete() const;  // every view of the settings is captured
+  // What was remarked while the scan was taken, in earlier runs as well.
+  const std::vector<ScanRemark>& remarks() const { return remarks_; }
 
   // Writes the picture losslessly, syncs it, appends and syncs the journal line. The frame's view
   // must be one of the settings; a view that is there already is replaced. sharpness: any measure
   // that grows with it, for the journal.
   Result<void> addView(const Frame& frame, std::int64_t steps, double sharpness = 0.0);
+
+  // Keeps a sentence for the user: written and synced like a view.
+  Result<void> addRemark(int view, const std::string& text);
 
   // Keeps the picture of the bare table with its angle; one that is there already is replaced.
   Result<void> addEmptyTable(const Frame& frame);
@@ -60,6 +66,7 @@ class ScanStore {
   CalibrationRecord record_;
   ScanJournal journal_;
   std::vector<CapturedView> views_;
+  std::vector<ScanRemark> remarks_;
 };
 
 }  // namespace gyre

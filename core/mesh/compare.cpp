@@ -2,9 +2,12 @@
 #include "core/mesh/compare.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "core/base/formatted.h"
 #include "core/base/parallel.h"
 #include "core/mesh/rigid_alignment.h"
 #include "core/mesh/surface_index.h"
@@ -15,7 +18,13 @@ namespace {
 
 constexpr std::size_t kGrain = 512;  // samples between two looks at the stop token: a millisecond
 constexpr double kViewsSeen = 5.0;   // from so many views on, surface counts as seen
-constexpr double kPlatterShare = 0.01;  // of the size: so near the platter nothing is judged
+constexpr double kSameUnit = 0.05;   // two sizes differ by a unit, to so much
+constexpr double kImpossibleRatio = 200.0;  // of sizes that are in one unit
+constexpr std::array<std::pair<double, const char*>, 3> kUnits = {
+    {{10.0, "centimetres"}, {25.4, "inches"}, {1000.0, "metres"}}};
+constexpr int kBins = 40;                // of the histogram, up to its scale
+constexpr double kLeastScale_mm = 1e-6;  // of a histogram of distances that are all zero
+constexpr double kPlatterShare = 0.01;   // of the size: so near the platter nothing is judged
 
 Error badInput(const std::string& what, const std::string& advice) {
   return {Error::Code::kInvalidInput, what, advice};
@@ -87,6 +96,33 @@ double quantile(const std::vector<double>& ascending, double q) {
   return ascending[low] + part * (ascending[high] - ascending[low]);
 }
 
+// 1, 2 or 5 times a power of ten, not below the number.
+double roundAbove(double number) {
+  const double power = std::pow(10.0, std::floor(std::log10(number)));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    if (number <= step * power * (1.0 + 1e-12)) return step * power;
+  }
+  return 10.0 * power;
+}
+
+void fillHistogram(const std::vector<double>& ascending, Comparison& comparison) {
+  comparison.scale_mm = roundAbove(std::max(kLeastScale_mm, quantile(ascending, 0.99)));
+  comparison.max_mm = ascending.back();
+  double below = 0.0;
+  for (int i = 0; i < kBins; ++i) {
+    ComparisonBin bin;
+    bin.from_mm = comparison.scale_mm * i / kBins;
+    bin.to_mm = comparison.scale_mm * (i + 1) / kBins;
+    const double up_to = shareWithin(ascending, bin.to_mm);
+    bin.share = up_to - below;
+    below = up_to;
+    comparison.histogram.push_back(bin);
+  }
+  if (below < 1.0) {
+    comparison.histogram.push_back({comparison.scale_mm, comparison.max_mm, 1.0 - below});
+  }
+}
+
 Comparison summarize(const std::vector<double>& to_reference, const std::vector<double>& to_result,
                      const std::vector<double>& at_mm) {
   Comparison comparison;
@@ -95,6 +131,7 @@ Comparison summarize(const std::vector<double>& to_reference, const std::vector<
   comparison.mean_mm /= static_cast<double>(to_reference.size());
   comparison.median_mm = quantile(to_reference, 0.5);
   comparison.p95_mm = quantile(to_reference, 0.95);
+  fillHistogram(to_reference, comparison);
   for (const double d_mm : at_mm) {
     ComparisonAt at;
     at.d_mm = d_mm;
@@ -105,16 +142,6 @@ Comparison summarize(const std::vector<double>& to_reference, const std::vector<
     comparison.at.push_back(at);
   }
   return comparison;
-}
-
-Result<Mesh> moved(const Mesh& result, const Mesh& reference, const Task& task) {
-  const Result<Rigid3> reference_from_result = alignRigidly(result, reference, task);
-  if (!reference_from_result) return reference_from_result.error();
-  Mesh copy = result;
-  for (MeshVertex& vertex : copy.vertices) {
-    vertex.position = *reference_from_result * vertex.position;
-  }
-  return copy;
 }
 
 Result<Comparison> compareInPlace(const Mesh& result, const Mesh& reference,
@@ -166,9 +193,50 @@ Result<Comparison> compareSurfaces(const Mesh& result, const Mesh& reference,
     return compareInPlace(result, reference, options, task);
   }
   task.report(0.0, "Aligning");
-  const Result<Mesh> aligned = moved(result, reference, task.part(0.0, 0.3));
-  if (!aligned) return aligned.error();
-  return compareInPlace(*aligned, reference, options, task.part(0.3, 1.0));
+  const auto reference_from_result = alignRigidly(result, reference, task.part(0.0, 0.3));
+  if (!reference_from_result) return reference_from_result.error();
+  Mesh moved = result;
+  for (MeshVertex& vertex : moved.vertices) {
+    vertex.position = *reference_from_result * vertex.position;
+  }
+  auto comparison = compareInPlace(moved, reference, options, task.part(0.3, 1.0));
+  if (comparison) comparison->reference_from_result = *reference_from_result;
+  return comparison;
+}
+
+Result<std::vector<double>> vertexDistances(const Mesh& result, const Mesh& reference,
+                                            const Task& task) {
+  std::vector<SurfaceSample> places;
+  places.reserve(result.vertices.size());
+  for (const MeshVertex& vertex : result.vertices) places.push_back({vertex.position, 0.0});
+  const auto found = distances(places, reference, 0.0, task);
+  if (!found) return found.error();
+  std::vector<double> distances_mm;
+  distances_mm.reserve(found->size());
+  for (const Distance& distance : *found) distances_mm.push_back(distance.mm);
+  return distances_mm;
+}
+
+std::optional<UnitDoubt> unitDoubt(const Mesh& result, const Mesh& reference) {
+  const double result_mm = boundsOf(result).diagonal();
+  const double reference_mm = boundsOf(reference).diagonal();
+  if (!(result_mm > 0.0) || !(reference_mm > 0.0)) return std::nullopt;
+  const bool reference_smaller = reference_mm < result_mm;
+  const double ratio = reference_smaller ? result_mm / reference_mm : reference_mm / result_mm;
+  const char* unit = nullptr;
+  for (const auto& [times, name] : kUnits) {
+    if (std::abs(ratio / times - 1.0) < kSameUnit) unit = name;
+  }
+  const bool certain = ratio >= kImpossibleRatio;
+  if (unit == nullptr && !certain) return std::nullopt;
+  std::string text = formatted("The %s is %.4g times as large as the %s",
+                               reference_smaller ? "result" : "reference", ratio,
+                               reference_smaller ? "reference" : "result");
+  text += unit != nullptr ? formatted(", which seems to be in %s.", unit)
+                          : std::string(": they cannot both be in millimetres.");
+  return UnitDoubt{
+      {Error::Code::kInvalidInput, text, "Write both in millimetres, then compare again."},
+      certain};
 }
 
 Mesh meshOfPoints(const PointCloud& cloud) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -41,6 +42,21 @@ struct CompareOptions {
 // of them is left to judge.
 Result<Comparison> compareSurfaces(const Mesh& result, const Mesh& reference,
                                    const CompareOptions& options, const Task& task);
+
+// How far each vertex of the result lies from the reference's surface, as they lie. [mm] Both hold
+// points with finite coordinates. Fails only when stopped.
+Result<std::vector<double>> vertexDistances(const Mesh& result, const Mesh& reference,
+                                            const Task& task);
+
+// That one of two shapes is in another unit.
+struct UnitDoubt {
+  Error words;
+  bool certain = false;  // no part of anything is so much smaller than the whole
+};
+
+// By the sizes of both: when the one is larger by what a metre, an inch or a centimetre is to a
+// millimetre, to 5 %, or 200 times and more. Nothing otherwise, and where one has no size.
+std::optional<UnitDoubt> unitDoubt(const Mesh& result, const Mesh& reference);
 
 // The points of a cloud as a mesh without triangles.
 Mesh meshOfPoints(const PointCloud& cloud);

@@ -60,6 +60,9 @@ struct VisualHullOptions {
   // Share of the outlines that may be wrong at any place without cutting into the body. 0..0.4;
   // larger forgives more and rounds less of what few views show.
   double disbelieved_share = 0.02;
+  // Bites and gaps in an outline narrower than this share of the width of the whole are filled.
+  // 0..0.5; smaller keeps narrow gaps, and grooves where background and object look alike.
+  double gap_share = 0.08;
   // Pieces with less than this share of the largest one's area are left out. 0..1
   double min_component_share = 0.02;
 
@@ -71,6 +74,9 @@ struct VisualHullOptions {
     visit({"hull-disbelieved", "", 0.0, 0.4,
            "Share of the outlines that may be wrong at a place without cutting into the body."},
           disbelieved_share);
+    visit({"hull-gap", "", 0.0, 0.5,
+           "Bites and gaps in an outline narrower than this share of its width are filled."},
+          gap_share);
     visit({"min-component", "", 0.0, 1.0,
            "Pieces with less than this share of the largest piece's area are left out."},
           min_component_share);

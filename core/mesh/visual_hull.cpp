@@ -2,8 +2,10 @@
 #include "core/mesh/visual_hull.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,8 +14,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/parallel.h"
+#include "core/base/units.h"
 #include "core/geometry/distance_lattice.h"
 #include "core/mesh/components.h"
+#include "core/mesh/depth_map.h"
 #include "core/mesh/marching_tetrahedra.h"
 #include "core/scan/silhouette.h"
 
@@ -21,9 +25,12 @@ namespace gyre {
 namespace {
 
 constexpr std::size_t kLeastOutlines = 3;
-constexpr double kCellsAcross = 160.0;  // along the diagonal of the object's box, by default
+constexpr double kCellsAcross = 128.0;  // along the diagonal of the object's box, by default
 constexpr double kFindingCells = 48.0;  // along the box in which the object is looked for
 constexpr int kFindings = 3;
+constexpr double kMendingCells = 80.0;  // along the diagonal, while outlines are mended
+// So many times as many outlines are disbelieved while they are mended.
+constexpr std::array kMendingTimes = {4.0, 2.0};
 constexpr double kNowhere_mm = 1e6;
 // A staircase of pixels becomes a line; what is finer than that was not in the outline.
 constexpr double kSmoothing_px = 0.8;
@@ -84,7 +91,8 @@ class OutlineDistance {
 // The distance to the hull: the largest of those to the outlines, but for the few not believed.
 class HullDistance {
  public:
-  HullDistance(const SightEvidence& evidence, double disbelieved_share) {
+  HullDistance(const SightEvidence& evidence, double disbelieved_share)
+      : disbelieved_(countOf(evidence, disbelieved_share)) {
     std::vector<std::optional<OutlineDistance>> made(evidence.outlines.size());
     parallelFor(made.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -92,8 +100,11 @@ class HullDistance {
       }
     });
     for (auto& each : made) outlines_.push_back(std::move(*each));
-    disbelieved_ = static_cast<std::size_t>(
-        std::floor(disbelieved_share * static_cast<double>(outlines_.size())));
+  }
+
+  static std::size_t countOf(const SightEvidence& evidence, double share) {
+    return static_cast<std::size_t>(
+        std::floor(share * static_cast<double>(evidence.outlines.size())));
   }
 
   double operator()(const Eigen::Vector3d& place) const {
@@ -103,7 +114,9 @@ class HullDistance {
       if (const auto distance_mm = outline.at(place)) distances_mm.push_back(*distance_mm);
     }
     // What hardly any picture shows is not where the object was put.
-    if (2 * distances_mm.size() < outlines_.size()) return kNowhere_mm;
+    if (2 * distances_mm.size() < outlines_.size() || distances_mm.size() <= disbelieved_) {
+      return kNowhere_mm;
+    }
     const auto believed = distances_mm.begin() + static_cast<std::ptrdiff_t>(disbelieved_);
     std::nth_element(distances_mm.begin(), believed, distances_mm.end(), std::greater<>());
     return std::max(*believed, -place.z());
@@ -111,7 +124,7 @@ class HullDistance {
 
  private:
   std::vector<OutlineDistance> outlines_;
-  std::size_t disbelieved_ = 0;
+  std::size_t disbelieved_;
 };
 
 // Where anything of the object may be: around the axis, within the cameras' distance from it.
@@ -173,6 +186,58 @@ void closeBorder(DistanceLattice& lattice) {
   }
 }
 
+// Where object and background look alike, an outline has bites, in every view at the same place of
+// the picture: so narrow ones are filled.
+void closeBites(SightEvidence& evidence, double gap_share) {
+  parallelFor(evidence.outlines.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const cv::Mat& mask = evidence.outlines[i].mask;
+      const double across_px = std::sqrt(4.0 / kPi * cv::countNonZero(mask));
+      const auto radius = static_cast<int>(std::lround(0.5 * gap_share * across_px));
+      if (radius == 0) continue;
+      const cv::Mat disc =
+          cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
+      cv::Mat closed;
+      cv::morphologyEx(mask, closed, cv::MORPH_CLOSE, disc);
+      evidence.outlines[i].mask = closed;
+    }
+  });
+}
+
+// A bite out of one outline would go through the whole body. What is left when more outlines are
+// disbelieved is too large, by no more than it bulges between the views where each place is on the
+// outline; the rest of it is filled into every outline.
+Result<void> mendOutlines(SightEvidence& evidence, double disbelieved_share,
+                          const Eigen::AlignedBox3d& box, const Task& task) {
+  const std::size_t disbelieved = HullDistance::countOf(evidence, disbelieved_share);
+  if (disbelieved == 0) return {};
+  const HullDistance distance(evidence, disbelieved_share);
+  const double cell_mm = box.diagonal().norm() / kMendingCells;
+  auto lattice = sampleDistance(std::cref(distance), box, cell_mm, kStretch, task);
+  if (task.stopRequested()) return cancelled();
+  closeBorder(lattice);
+  const auto views = static_cast<double>(evidence.outlines.size());
+  const double half_gap_rad = 0.5 * (static_cast<double>(disbelieved) + 1.0) * kTurn_rad / views;
+  const double bulge_mm =
+      (1.0 - std::cos(half_gap_rad)) * 0.5 * box.sizes().head<2>().norm() + 0.5 * cell_mm;
+  for (float& value : lattice.values) value += static_cast<float>(bulge_mm);
+  const Mesh core = marchingTetrahedra(lattice);
+  parallelFor(evidence.outlines.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !task.stopRequested(); ++i) {
+      Outline& outline = evidence.outlines[i];
+      const int shrink = static_cast<int>(shrinkOf(outline.mask, evidence.camera.width_px));
+      const cv::Mat shown = depthMap(core, evidence.camera, outline.cam_from_table, shrink) <
+                            std::numeric_limits<float>::max();
+      cv::Mat mended = outline.mask.clone();
+      const cv::Rect common(
+          {}, cv::Size(std::min(shown.cols, mended.cols), std::min(shown.rows, mended.rows)));
+      mended(common).setTo(255, shown(common));
+      outline.mask = mended;
+    }
+  });
+  return {};
+}
+
 // What lies in the table but for rounding lies in it, and nobody saw it.
 void markBase(Mesh& mesh, double cell_mm) {
   for (MeshVertex& vertex : mesh.vertices) {
@@ -194,10 +259,18 @@ Result<VisualHullMesh> visualHull(const SightEvidence& evidence, const VisualHul
                  "Reconstruct with a picture of the bare table (--background) or with masks, so "
                  "that the object can be told from its background."};
   }
-  const HullDistance distance(evidence, options.disbelieved_share);
   task.report(0.0, "Looking for the object in its outlines");
-  const auto box = findBox(distance, whereItMayBe(evidence), task);
+  SightEvidence mended = evidence;
+  closeBites(mended, options.gap_share);
+  const double most_share = std::min(kMendingTimes.front() * options.disbelieved_share, 0.5);
+  const auto box = findBox(HullDistance(mended, most_share), whereItMayBe(evidence), task);
   if (!box) return box.error();
+  task.report(0.2, "Mending the outlines");
+  for (const double times : kMendingTimes) {
+    const double share = std::min(times * options.disbelieved_share, 0.5);
+    if (const auto done = mendOutlines(mended, share, *box, task); !done) return done.error();
+  }
+  const HullDistance distance(mended, options.disbelieved_share);
   VisualHullMesh hull;
   hull.cell_mm = options.cell_mm > 0.0 ? options.cell_mm : box->diagonal().norm() / kCellsAcross;
   task.report(0.3, "Carving the body out of its outlines");

@@ -68,7 +68,7 @@ BeforeScanCheck checkByTarget(const CalibrationRecord& record, const SoughtTarge
 CalibratedCamera calibratedCamera(const CameraInfo& camera) {
   CalibratedCamera calibrated;
   calibrated.device_id = camera.description;
-  calibrated.mode = sizeText(camera.width_px, camera.height_px);
+  calibrated.mode = camera.mode.empty() ? sizeText(camera.width_px, camera.height_px) : camera.mode;
   for (const ControlState& control : camera.controls) {
     if (control.locked) calibrated.settings[control.name] = control.value;
   }

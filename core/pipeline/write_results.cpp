@@ -10,12 +10,15 @@
 #include "core/base/clock.h"
 #include "core/base/formatted.h"
 #include "core/io/calibration_record_file.h"
+#include "core/io/fingerprint.h"
 #include "core/io/obj.h"
 #include "core/io/ply.h"
 #include "core/io/result_folder.h"
+#include "core/io/sightings_file.h"
 #include "core/io/silhouettes_file.h"
 #include "core/io/visibility_file.h"
 #include "core/pipeline/make_mesh.h"
+#include "core/pipeline/report_page.h"
 #include "core/pipeline/sights.h"
 
 namespace gyre {
@@ -64,6 +67,9 @@ Result<void> writePoints(const fs::path& folder, const Reconstruction& reconstru
   const PointCloud& cloud = reconstruction.cloud;
   if (const auto done = writePly(folder / "points.ply", cloud); !done) return done;
   if (const auto done = writeVisibility(folder / "visibility.bin", cloud); !done) return done;
+  if (const auto done = writeSightings(folder / "sightings.bin", reconstruction.sightings); !done) {
+    return done;
+  }
   if (const auto done = writeSilhouettes(folder / "silhouettes.bin", reconstruction.silhouettes);
       !done) {
     return done;
@@ -90,10 +96,27 @@ Result<MadeMesh> bestSurface(const PointCloud& cloud, const std::optional<SightE
                              const Task& task) {
   const bool enough = cloud.points.size() >= kEnoughPoints;
   if (!enough && sights && !sights->outlines.empty()) {
-    auto hull = makeMesh(cloud, sights, {.method = MeshMethod::kSilhouette}, task);
+    MeshRequest request;
+    request.method = MeshMethod::kSilhouette;
+    auto hull = makeMesh(cloud, sights, request, task);
     if (hull || hull.error().code == Error::Code::kCancelled) return hull;
   }
   return makeMesh(cloud, sights, {}, task);
+}
+
+// So that it can be proved, years later, which files a model was made from.
+Result<void> addFingerprints(const fs::path& folder, const ResultContext& context, Report& report,
+                             const Task& task) {
+  const auto add = [&](const char* name, const Result<std::string>& sum) {
+    report.inputs[name] = sum ? *sum : "unknown: " + sum.error().what;
+  };
+  add("SHA-256 of calibration.json", fingerprintOf(folder / "calibration.json"));
+  if (context.pictures.empty()) return {};
+  const double start_s = steadySeconds();
+  add("SHA-256 of the pictures' list", fingerprintOf(context.pictures, task));
+  report.seconds["fingerprint"] = steadySeconds() - start_s;
+  if (task.stopRequested()) return cancelled();
+  return {};
 }
 
 Result<void> writeMesh(const fs::path& folder, const Mesh& mesh) {
@@ -129,7 +152,9 @@ Result<WrittenResults> writeResults(const fs::path& folder, const Reconstruction
   } else {
     written.mesh_problem = surface.error();
   }
+  if (const auto done = addFingerprints(folder, context, report, task); !done) return done.error();
   if (const auto done = writeReport(folder, report); !done) return done.error();
+  if (const auto done = writeReportPage(folder); !done) return done.error();
   return written;
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/base/task.h"
@@ -12,15 +13,17 @@
 #include "core/pipeline/reconstruction.h"
 #include "core/scan/calibration_record.h"
 #include "core/scan/mesh.h"
+#include "core/scan/mesh_method.h"
 #include "core/scan/scan.h"
 
 namespace gyre {
 
 // What is written beside the points.
 struct ResultContext {
-  CalibrationRecord calibration;  // as used
-  AngleTable angles;              // as the table was told
-  Report report;                  // title, rights, options, inputs, seconds; the rest is filled in
+  CalibrationRecord calibration;                // as used
+  AngleTable angles;                            // as the table was told
+  std::vector<std::filesystem::path> pictures;  // in their order, for their fingerprint
+  Report report;  // title, rights, options, inputs, seconds; the rest is filled in
 };
 
 struct WrittenResults {
@@ -29,10 +32,11 @@ struct WrittenResults {
   std::optional<Error> mesh_problem;      // why
 };
 
-// Writes points.ply, visibility.bin, calibration.json, angles_solved.csv, report.json, report.html,
-// and mesh.ply and mesh.obj: a surface of the points, or where they are too few the body that the
-// outlines leave, where there are any; each file atomically. The folder
-// is made when it is not there. Fails when a file cannot be written, and when stopped.
+// Writes points.ply, visibility.bin, sightings.bin, silhouettes.bin, calibration.json,
+// angles_solved.csv, report.json, report.html, and mesh.ply and mesh.obj: a surface of the points,
+// or where they are too few the body that the outlines leave, where there are any; each file
+// atomically. The folder is made when it is not there. Fails when a file cannot be written, and
+// when stopped.
 Result<WrittenResults> writeResults(const std::filesystem::path& folder,
                                     const Reconstruction& reconstruction,
                                     const ResultContext& context, const Task& task);

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/geometry/rigid3.h"
+
 namespace gyre {
 
 // Precision: share of the result nearer than d_mm to the reference. Completeness: share of the
@@ -16,12 +18,25 @@ struct ComparisonAt {
   double f = 0.0;
 };
 
+// The share of all distances from from_mm up to to_mm.
+struct ComparisonBin {
+  double from_mm = 0.0;
+  double to_mm = 0.0;
+  double share = 0.0;
+};
+
 struct Comparison {
   double mean_mm = 0.0;  // distances from the result to the reference's surface
   double median_mm = 0.0;
   double p95_mm = 0.0;
   std::size_t samples = 0;
+  double max_mm = 0.0;
   std::vector<ComparisonAt> at;
+  // 40 bins of one width up to scale_mm, and one for all above where there are any. Shares add up
+  // to 1.
+  std::vector<ComparisonBin> histogram;
+  double scale_mm = 0.0;         // 1, 2 or 5 times a power of ten that 99 % of the distances do not exceed
+  Rigid3 reference_from_result;  // how the result was moved to fit; identity when it was not
 };
 
 }  // namespace gyre

@@ -41,7 +41,8 @@ struct ControlState {
   std::string name;  // "focus", "exposure", "gain", "white balance"
   bool locked = false;
   double value = 0.0;
-  std::string remark;  // why it could not be locked; empty when it could
+  std::string remark;     // why it could not be locked; empty when it could
+  std::string word = {};  // the value as the camera names it, "1/125"; empty where it only counts
 };
 
 struct CameraInfo {
@@ -50,6 +51,7 @@ struct CameraInfo {
   int height_px = 0;
   double frames_per_s = 0.0;
   std::vector<ControlState> controls;
+  std::string mode = {};  // "1920x1080@MJPG"; empty when the camera has but one
 };
 
 }  // namespace gyre

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/scan/device_info.h"
+
 namespace gyre {
 
 // What NAME.gyre holds.
@@ -13,9 +15,11 @@ struct ScanSettings {
   std::string title;
   std::string inventory_number;
   std::string rights;
-  std::string turntable;          // as on the command line: a port, tcp:HOST:PORT, sim[:OBJECT]
-  std::string camera;             // as on the command line, without any password
-  std::string camera_mode;        // as asked for: 1920x1080@MJPG; empty for the camera's own
+  std::string turntable;    // as on the command line: a port, tcp:HOST:PORT, sim[:OBJECT]
+  std::string camera;       // as on the command line, without any password
+  std::string camera_mode;  // as asked for: 1920x1080@MJPG; empty for the camera's own
+  // How the camera was set when the scan began, as it read back; empty when nobody said.
+  std::vector<ControlState> camera_controls;
   double units_per_turn = 360.0;  // what the firmware counts in one turn
   int direction = 1;              // +1 when its plus is counter-clockwise from above
   std::string axis = "X";         // letter of the firmware's axis that turns the table
@@ -31,6 +35,13 @@ struct CapturedView {
   double table_angle_rad = 0.0;  // as the integer steps give it
   std::int64_t steps = 0;        // motor steps from angle 0
   double sharpness = 0.0;
+  std::string time_utc;  // ISO 8601
+};
+
+// Something that happened while a scan was taken, for the user, as a line of journal.jsonl.
+struct ScanRemark {
+  int view = 0;  // of which it was noticed
+  std::string text;
   std::string time_utc;  // ISO 8601
 };
 

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
+#include "core/sim/firmware_board.h"
 #include "core/sim/gcode.h"
 #include "core/sim/grbl_settings.h"
 #include "core/sim/shaft.h"
@@ -16,25 +16,19 @@
 
 namespace gyre {
 
-// Everything is a function of the bytes and times given: times are simulated seconds that never run
-// backwards. One thread at a time. Only X is wired to a motor; Y and Z arrive at once.
+// Only X is wired to a motor; Y and Z arrive at once.
 //
 // Source: grbl/doc/markdown/{interface,commands,settings,jogging}.md, version 1.1h.
-class GrblBoard {
+class GrblBoard final : public FirmwareBoard {
  public:
   GrblBoard(const TurntableFirmwareOptions& options, std::shared_ptr<Shaft> shaft);
 
-  // Switched on, or reset by the host's DTR line: counts from 0 again, the shaft stays.
-  void reset(double time_s);
-  // Bytes from the host; what arrives while the board boots is lost.
-  void receive(std::span<const std::byte> bytes, double time_s);
-  void advanceTo(double time_s);
-  // The limit switch closes: ALARM:1 when $21 is set.
-  void pressLimitSwitch(double time_s);
-
-  std::string takeOutput();  // what was said since the last call
-  // Something happens by itself soon: moving, waiting or booting.
-  bool busy() const;
+  void reset(double time_s) override;
+  void receive(std::span<const std::byte> bytes, double time_s) override;
+  void advanceTo(double time_s) override;
+  void pressLimitSwitch(double time_s) override;  // ALARM:1 when $21 is set
+  std::string takeOutput() override;
+  bool busy() const override;
 
  private:
   // A line that was read but cannot be answered yet.

@@ -44,8 +44,7 @@ Result<void> SimCamera::grab(double timeout_s) {
   std::unique_lock lock(mutex_);
   if (!arrived_.wait_for(lock, std::chrono::duration<double>(timeout_s),
                          [this] { return !queue_.empty(); })) {
-    return Error{Error::Code::kTimeout, "The simulated camera gave no picture in time.",
-                 "Wait longer than one picture takes at its rate."};
+    return Error{Error::Code::kTimeout, "The simulated camera gave no picture in time.", ""};
   }
   grabbed_ = queue_.front();
   queue_.pop_front();

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/sim/grbl_board.h"
 #include "core/sim/pipe_port.h"
 
 namespace gyre {
@@ -21,8 +22,11 @@ constexpr double kWriteTimeout_s = 0.2;
 
 TurntableFirmware::TurntableFirmware(const TurntableFirmwareOptions& options,
                                      std::shared_ptr<Shaft> shaft, SimClock clock)
+    : TurntableFirmware(std::make_unique<GrblBoard>(options, std::move(shaft)), clock) {}
+
+TurntableFirmware::TurntableFirmware(std::unique_ptr<FirmwareBoard> board, SimClock clock)
     : clock_(clock),
-      board_(options, std::move(shaft)),
+      board_(std::move(board)),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 std::unique_ptr<BytePort> TurntableFirmware::openPort() {
@@ -33,8 +37,8 @@ std::unique_ptr<BytePort> TurntableFirmware::openPort() {
 
 void TurntableFirmware::attach(std::unique_ptr<BytePort> wire) {
   const std::scoped_lock lock(mutex_);
-  board_.reset(clock_.seconds());
-  board_.takeOutput();
+  board_->reset(clock_.seconds());
+  board_->takeOutput();
   wire_ = std::move(wire);
 }
 
@@ -45,12 +49,12 @@ bool TurntableFirmware::attached() const {
 
 void TurntableFirmware::pressReset() {
   const std::scoped_lock lock(mutex_);
-  board_.reset(clock_.seconds());
+  board_->reset(clock_.seconds());
 }
 
 void TurntableFirmware::pressLimitSwitch() {
   const std::scoped_lock lock(mutex_);
-  board_.pressLimitSwitch(clock_.seconds());
+  board_->pressLimitSwitch(clock_.seconds());
 }
 
 void TurntableFirmware::pullCable() {
@@ -69,7 +73,7 @@ void TurntableFirmware::exchangeBytes() {
   {
     const std::scoped_lock lock(mutex_);
     wire = wire_;
-    if (board_.busy()) wait_s = kTick_s;
+    if (board_->busy()) wait_s = kTick_s;
   }
   std::array<std::byte, 256> buffer{};
   std::size_t count = 0;
@@ -85,8 +89,8 @@ void TurntableFirmware::exchangeBytes() {
     const std::scoped_lock lock(mutex_);
     if (wire_ != wire) return;  // heard on a cable that is no longer plugged in
     if (!wire_lives) wire_.reset();
-    board_.receive(std::span(buffer).first(count), clock_.seconds());
-    answer = board_.takeOutput();
+    board_->receive(std::span(buffer).first(count), clock_.seconds());
+    answer = board_->takeOutput();
   }
   if (answer.empty() || !wire_lives) return;
   // An answer that nobody reads is lost, as on a real wire.

@@ -1,4 +1,4 @@
-// The simulated turntable: a GRBL board, its motor, and a thread that runs them in simulated time.
+// The simulated turntable: a board, its motor, and a thread that runs them in simulated time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,8 @@
 #include <thread>
 
 #include "core/device/byte_port.h"
-#include "core/sim/grbl_board.h"
+#include "core/sim/firmware_board.h"
+#include "core/sim/grbl_settings.h"
 #include "core/sim/shaft.h"
 #include "core/sim/sim_clock.h"
 
@@ -16,8 +17,10 @@ namespace gyre {
 // Any thread may call any member. The thread ends with the object; the motor then stands.
 class TurntableFirmware {
  public:
+  // With GRBL on the board.
   TurntableFirmware(const TurntableFirmwareOptions& options, std::shared_ptr<Shaft> shaft,
                     SimClock clock);
+  TurntableFirmware(std::unique_ptr<FirmwareBoard> board, SimClock clock);
   ~TurntableFirmware() = default;
   TurntableFirmware(const TurntableFirmware&) = delete;
   TurntableFirmware& operator=(const TurntableFirmware&) = delete;
@@ -41,7 +44,7 @@ class TurntableFirmware {
 
   SimClock clock_;
   mutable std::mutex mutex_;  // guards what follows
-  GrblBoard board_;
+  std::unique_ptr<FirmwareBoard> board_;
   std::shared_ptr<BytePort> wire_;
   std::jthread thread_;  // last: ends before what it uses
 };

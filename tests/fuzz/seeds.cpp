@@ -83,6 +83,15 @@ CalibrationRecord sampleRecord() {
   return record;
 }
 
+// Nobody but people writes these.
+constexpr const char* kTurntable = R"({"format": "gyre-turntable", "version": 1, "name": "Mine",
+  "baud": 9600, "line_end": "\r\n", "answer_ends": ";", "greeting": "hello",
+  "ask": {"send": "WHO", "answer": "Mine"}, "unit": "degrees", "units_per_turn": 360, "decimals": 2,
+  "direction": -1, "motor_on": {"send": "ON", "answer": "OK"},
+  "motor_off": {"send": "OFF", "answer": "OK"},
+  "move": {"send": "TURN {by} {speed}", "done": "DONE", "refused": "ERR", "busy": "WAIT"},
+  "stop": {"send": "STOP", "answer": "STOPPED"}})";
+
 Result<void> writeOthers(const fs::path& folder) {
   const CalibrationRecord record = sampleRecord();
   Calibration handheld = record.calibration;
@@ -93,11 +102,12 @@ Result<void> writeOthers(const fs::path& folder) {
   const AngleTable angles = {{"v1.png", 0.0}, {"v2.png", kPi}, {"a, \"b\".png", -0.1}};
   if (done) done = writeAngles(folder / "angles/angles", angles);
   if (done) done = writeFileAtomically(folder / "angles/text", kTextAngles);
+  if (done) done = writeFileAtomically(folder / "turntable/whole", kTurntable);
   return done;
 }
 
 Result<void> writeSeeds(const fs::path& folder) {
-  for (const char* name : {"ply", "obj", "stl", "calibration", "angles"}) {
+  for (const char* name : {"ply", "obj", "stl", "calibration", "angles", "turntable"}) {
     if (auto made = makeResultFolder(folder / name); !made) return made;
   }
   if (auto done = writeModels(folder); !done) return done;

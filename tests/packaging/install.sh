@@ -9,7 +9,8 @@ trap 'rm -rf "$prefix"' EXIT
 
 cmake --install "$build" --prefix "$prefix" >/dev/null
 for file in bin/gyre share/applications/gyre.desktop share/metainfo/org.gyre_scan.Gyre.metainfo.xml \
-  share/icons/hicolor/scalable/apps/gyre.svg share/man/man1/gyre.1 lib/udev/rules.d/70-gyre.rules; do
+  share/icons/hicolor/scalable/apps/gyre.svg share/man/man1/gyre.1 lib/udev/rules.d/70-gyre.rules \
+  share/gyre/turntables/workshop.json; do
   [[ -s $prefix/$file ]] || { echo "$file was not installed"; exit 1; }
 done
 strays=$(find "$prefix" -name '*.a' -o -name '*.h' -o -name '*_test')

@@ -26,7 +26,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kViews = 90;
+int fromEnvironment(const char* name, int otherwise) {
+  const char* asked = std::getenv(name);
+  return asked != nullptr ? std::atoi(asked) : otherwise;
+}
+
+int views() { return fromEnvironment("GYRE_KILL_VIEWS", 90); }
+
+// Pictures that are on the disk, whole or not, with a line in the journal or without.
+std::size_t picturesIn(const fs::path& folder) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(folder / "frames")) {
+    if (entry.path().filename().string().starts_with("view_")) ++count;
+  }
+  return count;
+}
 
 // Starts the program and does not wait.
 pid_t start(const std::vector<std::string>& words) {
@@ -46,8 +60,8 @@ int wait(pid_t pid) {
 }
 
 std::vector<std::string> scanWords(const fs::path& rig, const fs::path& out) {
-  return {"scan",    "--turntable",          "sim",         "--camera", "sim",     "--rig", rig,
-          "--views", std::to_string(kViews), "--sim-speed", "100",      "--quiet", "--out", out};
+  return {"scan",    "--turntable",           "sim",         "--camera", "sim",     "--rig", rig,
+          "--views", std::to_string(views()), "--sim-speed", "100",      "--quiet", "--out", out};
 }
 
 TEST(KilledScan, OpensAndResumesToTheSamePoints) {
@@ -59,8 +73,7 @@ TEST(KilledScan, OpensAndResumesToTheSamePoints) {
   const std::string points = fileText(temp / "whole" / "points.ply");
   ASSERT_GT(points.size(), 1000U) << "exit code " << whole_code;
 
-  const char* asked = std::getenv("GYRE_KILLS");
-  const int kills = asked != nullptr ? std::atoi(asked) : 5;
+  const int kills = fromEnvironment("GYRE_KILLS", 6);
   Random random(7);
   std::vector<int> resume_codes;  // 0 for a scan that was finished before it was killed
   for (int i = 0; i < kills; ++i) {
@@ -75,6 +88,7 @@ TEST(KilledScan, OpensAndResumesToTheSamePoints) {
     if (!fs::exists(folder)) continue;  // it had not begun
     const auto opened = ScanStore::open(folder);
     ASSERT_TRUE(opened) << opened.error().sentence();
+    EXPECT_LE(picturesIn(folder), opened->views().size() + 1) << "more than the view in flight";
     if (opened->complete() && fs::exists(folder / "points.ply")) resume_codes.back() = 0;
   }
   for (int i = 0; i < kills; ++i) {

@@ -7,8 +7,6 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/clock.h"
-
 namespace gyre {
 
 // Returns false when the byte is lost.
@@ -26,11 +24,20 @@ bool FaultyPort::count(std::size_t bytes) {
   return !vanished_;
 }
 
+void FaultyPort::arrive(std::byte byte) {
+  if (faults_.mute_after_bytes >= 0 && from_device_++ >= faults_.mute_after_bytes) return;
+  const double due_s = seconds() + faults_.delay_s;
+  if (random_.uniform() < faults_.noise) {
+    late_.push_back({due_s, static_cast<std::byte>(random_.below(256))});
+  }
+  if (spoil(byte)) late_.push_back({due_s, byte});
+}
+
 Result<std::size_t> FaultyPort::read(std::span<std::byte> buffer, double timeout_s) {
-  const double deadline_s = steadySeconds() + timeout_s;
+  const double deadline_s = seconds() + timeout_s;
   for (;;) {
     if (vanished_) return gone();
-    const double now_s = steadySeconds();
+    const double now_s = seconds();
     std::size_t given = 0;
     const std::size_t most =
         faults_.split ? std::min<std::size_t>(1, buffer.size()) : buffer.size();
@@ -45,9 +52,7 @@ Result<std::size_t> FaultyPort::read(std::span<std::byte> buffer, double timeout
     const Result<std::size_t> got = port_->read(bytes, std::min(wait_s, 0.005));
     if (!got) return got;
     if (!count(*got)) return gone();
-    for (std::byte byte : std::span(bytes).first(*got)) {
-      if (spoil(byte)) late_.push_back({steadySeconds() + faults_.delay_s, byte});
-    }
+    for (const std::byte byte : std::span(bytes).first(*got)) arrive(byte);
   }
 }
 
@@ -55,7 +60,7 @@ Result<void> FaultyPort::write(std::span<const std::byte> bytes, double timeout_
   if (vanished_ || !count(bytes.size())) return gone();
   std::vector<std::byte> left;
   for (std::byte byte : bytes) {
-    if (spoil(byte)) left.push_back(byte);
+    if (faults_.host_is_heard_well || spoil(byte)) left.push_back(byte);
   }
   return left.empty() ? Result<void>() : port_->write(left, timeout_s);
 }

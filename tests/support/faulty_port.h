@@ -18,6 +18,9 @@ struct Faults {
   double corrupt = 0.0;                  // probability a byte has one bit flipped, either way
   double delay_s = 0.0;                  // how late bytes from the device arrive
   bool split = false;                    // reads give one byte at a time
+  double noise = 0.0;                    // probability a stray byte comes before one of the device
+  std::int64_t mute_after_bytes = -1;    // from the device nothing comes after so many; -1: never
+  bool host_is_heard_well = false;       // what the host sends arrives unharmed
   std::int64_t vanish_after_bytes = -1;  // read and written together; -1: never
 };
 
@@ -30,8 +33,12 @@ class FaultyPort final : public BytePort {
   Result<std::size_t> read(std::span<std::byte> buffer, double timeout_s) override;
   Result<void> write(std::span<const std::byte> bytes, double timeout_s) override;
   std::string name() const override { return port_->name(); }
+  double seconds() const override { return port_->seconds(); }
 
-  void setFaults(const Faults& faults) { faults_ = faults; }
+  void setFaults(const Faults& faults) {
+    faults_ = faults;
+    from_device_ = 0;
+  }
   void vanish() { vanished_ = true; }
 
  private:
@@ -41,6 +48,7 @@ class FaultyPort final : public BytePort {
   };
   bool spoil(std::byte& byte);
   bool count(std::size_t bytes);
+  void arrive(std::byte byte);
   static Error gone() { return {Error::Code::kGone, "The faulty port has vanished.", ""}; }
 
   std::unique_ptr<BytePort> port_;
@@ -48,6 +56,7 @@ class FaultyPort final : public BytePort {
   Random random_;
   std::deque<Late> late_;
   std::int64_t bytes_ = 0;
+  std::int64_t from_device_ = 0;
   std::atomic<bool> vanished_ = false;
 };
 

@@ -27,9 +27,13 @@ bool sendAll(int client, std::string_view bytes) {
   return true;
 }
 
-std::string partOf(const cv::Mat& picture) {
+std::vector<unsigned char> jpegOf(const cv::Mat& picture) {
   std::vector<unsigned char> jpeg;
   cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, 98});
+  return jpeg;
+}
+
+std::string partOf(const std::vector<unsigned char>& jpeg) {
   return "--frame\r\nContent-Type: image/jpeg\r\nContent-Length: " + std::to_string(jpeg.size()) +
          "\r\n\r\n" + std::string(jpeg.begin(), jpeg.end()) + "\r\n";
 }
@@ -61,15 +65,32 @@ std::string MjpegServer::url() const {
 }
 
 void MjpegServer::serve(const std::stop_token& stop) {
-  while (!stop.stop_requested() && !gone_) {
+  while (!stop.stop_requested()) {
+    if (gone_) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      continue;
+    }
     pollfd waiting{listener_, POLLIN, 0};
     if (poll(&waiting, 1, 20) <= 0) continue;
     const int client = accept(listener_, nullptr, nullptr);
     if (client < 0) continue;
+    ++clients_;
     char request[4096];
     if (recv(client, request, sizeof(request), 0) > 0) stream(client, stop);
     close(client);
   }
+}
+
+bool MjpegServer::sendPicture(int client) {
+  std::vector<unsigned char> jpeg = jpegOf(picture_(next_picture_++));
+  if (torn_ > 0) {
+    --torn_;
+    jpeg.resize(jpeg.size() / 2);
+  }
+  const std::string part = partOf(jpeg);
+  if (!dropping_.exchange(false)) return sendAll(client, part);
+  sendAll(client, std::string_view(part).substr(0, part.size() / 2));
+  return false;
 }
 
 void MjpegServer::stream(int client, const std::stop_token& stop) {
@@ -80,7 +101,7 @@ void MjpegServer::stream(int client, const std::stop_token& stop) {
   }
   auto due = std::chrono::steady_clock::now();
   while (!stop.stop_requested() && !gone_) {
-    if (!frozen_ && !sendAll(client, partOf(picture_(next_picture_++)))) return;
+    if (!frozen_ && !sendPicture(client)) return;
     due += std::chrono::duration_cast<std::chrono::nanoseconds>(
         std::chrono::duration<double>(interval_s_));
     std::this_thread::sleep_until(due);

@@ -23,14 +23,23 @@ class MjpegServer {
   int port() const { return port_; }
   std::string url() const;
 
-  // The client stays connected and gets nothing more.
+  // The client stays connected and gets nothing until thaw().
   void freeze() { frozen_ = true; }
-  // The client is cut off, and nobody else is let in.
+  void thaw() { frozen_ = false; }
+  // The client is cut off, and nobody else is let in until comeBack().
   void vanish() { gone_ = true; }
+  void comeBack() { gone_ = false; }
+  // The connection ends in the middle of the next picture; the client may come again.
+  void drop() { dropping_ = true; }
+  // The next so many pictures are sent in half, as a camera does that is short of memory.
+  void tear(int pictures) { torn_ = pictures; }
+  // How many clients have been served so far.
+  int clients() const { return clients_; }
 
  private:
   void serve(const std::stop_token& stop);
   void stream(int client, const std::stop_token& stop);
+  bool sendPicture(int client);
 
   std::function<cv::Mat(int)> picture_;
   double interval_s_;
@@ -39,6 +48,9 @@ class MjpegServer {
   int next_picture_ = 0;
   std::atomic<bool> frozen_{false};
   std::atomic<bool> gone_{false};
+  std::atomic<bool> dropping_{false};
+  std::atomic<int> torn_{0};
+  std::atomic<int> clients_{0};
   std::jthread thread_;
 };
 

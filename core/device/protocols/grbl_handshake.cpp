@@ -6,8 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/clock.h"
-
 namespace gyre {
 namespace {
 
@@ -20,8 +18,8 @@ constexpr double kOldestVersion = 1.1;
 // The banner, once it comes; nothing when it does not.
 Result<std::optional<std::string>> awaitBanner(GrblLink& link, double timeout_s,
                                                const Interrupted& interrupted) {
-  const double deadline_s = steadySeconds() + timeout_s;
-  while (steadySeconds() < deadline_s) {
+  const double deadline_s = link.now() + timeout_s;
+  while (link.now() < deadline_s) {
     if (interrupted && interrupted()) return cancelled();
     const Result<std::optional<GrblMessage>> message = link.receive(kSlice_s);
     if (!message) return message.error();

@@ -4,8 +4,6 @@
 #include <array>
 #include <span>
 
-#include "core/base/clock.h"
-
 namespace gyre {
 namespace {
 
@@ -22,13 +20,13 @@ Result<void> GrblLink::send(std::string_view text) {
 }
 
 Result<std::optional<GrblMessage>> GrblLink::receive(double timeout_s) {
-  const double deadline_s = steadySeconds() + timeout_s;
+  const double deadline_s = now() + timeout_s;
   for (;;) {
     if (std::optional<GrblMessage> message = parser_.next()) {
       note(*message);
       return message;
     }
-    const double left_s = deadline_s - steadySeconds();
+    const double left_s = deadline_s - now();
     if (left_s <= 0.0) return std::optional<GrblMessage>();
     std::array<std::byte, 256> buffer{};
     const Result<std::size_t> count = port_->read(buffer, left_s);
@@ -73,8 +71,8 @@ Error GrblLink::silence() const {
 }
 
 Result<void> GrblLink::drain() {
-  const double end_s = steadySeconds() + kLongestDrain_s;
-  while (steadySeconds() < end_s) {
+  const double end_s = now() + kLongestDrain_s;
+  while (now() < end_s) {
     const Result<std::optional<GrblMessage>> message = receive(kQuiet_s);
     if (!message) return message.error();
     if (!*message) return {};
@@ -87,8 +85,8 @@ Result<std::vector<GrblMessage>> GrblLink::query(std::string_view line, double t
   if (trouble_) return *trouble_;
   if (const Result<void> sent = send(std::string(line) + "\n"); !sent) return sent.error();
   std::vector<GrblMessage> said;
-  const double deadline_s = steadySeconds() + timeout_s;
-  while (steadySeconds() < deadline_s) {
+  const double deadline_s = now() + timeout_s;
+  while (now() < deadline_s) {
     if (interrupted && interrupted()) return cancelled();
     Result<std::optional<GrblMessage>> message = receive(kSlice_s);
     if (!message) return message.error();
@@ -114,12 +112,12 @@ Result<void> GrblLink::command(std::string_view line, double timeout_s,
 
 Result<GrblStatus> GrblLink::status(double timeout_s, const Interrupted& interrupted) {
   if (trouble_) return *trouble_;
-  const double begin_s = steadySeconds();
+  const double begin_s = now();
   double ask_s = begin_s;
-  while (steadySeconds() < begin_s + timeout_s) {
+  while (now() < begin_s + timeout_s) {
     if (interrupted && interrupted()) return cancelled();
-    if (steadySeconds() >= ask_s) {
-      ask_s = steadySeconds() + timeout_s / 4.0;
+    if (now() >= ask_s) {
+      ask_s = now() + timeout_s / 4.0;
       if (const Result<void> sent = send(std::string_view(&kGrblStatusRequest, 1)); !sent) {
         return sent.error();
       }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,12 +11,10 @@
 
 #include "core/base/result.h"
 #include "core/device/byte_port.h"
+#include "core/device/interrupted.h"
 #include "core/device/protocols/grbl.h"
 
 namespace gyre {
-
-// Asked at least every 20 ms while waiting; true ends the wait with kCancelled.
-using Interrupted = std::function<bool()>;
 
 // One thread at a time.
 class GrblLink {
@@ -53,6 +50,7 @@ class GrblLink {
   // The latest lines that were no GRBL messages: what a foreign device said.
   const std::string& garbage() const { return garbage_; }
   std::string name() const { return port_->name(); }
+  double now() const { return port_->seconds(); }  // by the port's clock
 
  private:
   void note(GrblMessage& message);

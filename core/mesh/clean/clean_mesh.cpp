@@ -196,6 +196,12 @@ class Cleaner {
 
 }  // namespace
 
+bool changesShape(const CleanOptions& options) {
+  return isCut(options.crop) || options.holes.max_width_mm > 0.0 || options.base_cap ||
+         options.smooth.iterations > 0 || options.decimate.triangles > 0 ||
+         options.remesh.edge_mm > 0.0;
+}
+
 Result<CleanedMesh> cleanMesh(const Mesh& mesh, const CleanOptions& options, const Task& task) {
   if (const Result<void> valid = options.validate(); !valid) return valid.error();
   if (const Result<void> checked = checkMesh(mesh); !checked) return checked.error();

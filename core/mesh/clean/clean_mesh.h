@@ -15,6 +15,10 @@ struct CleanedMesh {
   CleanReport report;
 };
 
+// Whether the options ask for more than tidying: a crop, filling, a base, smoothing, fewer or even
+// triangles.
+bool changesShape(const CleanOptions& options);
+
 // Merges vertices, removes small pieces, separates surfaces that touch, orients, crops, fills
 // holes, caps the base, smooths, reduces and evens triangles, as far as the options ask for each.
 // The base that is capped stays flat in the steps after it, and its rim is no hole to be filled;

@@ -35,7 +35,7 @@ using Triangulation = CGAL::Surface_mesh_default_triangulation_3;
 using SurfaceMesh = CGAL::Surface_mesh<Point3>;
 
 constexpr double kLeastAngle_deg = 20.0;
-constexpr double kLargestBall = 3.0;       // around a facet, in spacings
+constexpr double kLargestBall = 1.0;       // around a facet, in spacings
 constexpr double kFarthestMiddle = 0.375;  // of a facet from the surface, in spacings
 constexpr double kRootShare = 1e-3;        // of that: how exactly the surface is hit
 constexpr double kSearchRadii = 5.0;       // of the points' own ball

@@ -14,7 +14,7 @@
 #include "core/mesh/alpha_shape.h"
 #include "core/mesh/compare.h"
 #include "core/pipeline/live_reconstruction.h"
-#include "core/pipeline/reproduce/model_picture.h"
+#include "core/pipeline/model_picture.h"
 #include "core/sim/truth.h"
 
 namespace gyre {

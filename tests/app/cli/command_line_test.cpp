@@ -23,7 +23,7 @@ TEST(CommandLine, TellsItsVersionAndItsWords) {
   const Answer help = gyre({"--help"});
   EXPECT_EQ(help.code, 0);
   for (const char* command : {"demo", "scan", "resume", "calibrate", "reconstruct", "mesh",
-                              "compare", "devices", "sim-firmware", "reproduce"}) {
+                              "compare", "measure", "report", "export", "devices", "sim-firmware", "reproduce"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const Answer own = gyre({command, "--help"});
     EXPECT_EQ(own.code, 0) << command;
@@ -41,6 +41,8 @@ TEST(CommandLine, AnswersWrongWordsWithTwoAndASentence) {
                                              {"demo", "--views", "many", "--out", "x"},
                                              {"demo", "--quiet", "--verbose", "--out", "x"},
                                              {"compare", "only-one"},
+                                             {"measure", "x", "--from", "1,2", "--to", "1,2,3"},
+                                             {"export", "x", "--to", "blender", "--out", "y"},
                                              {"reproduce", "--table", "4", "--out", "x"},
                                              {"reconstruct", "x", "--window", "wide", "--out", "x"},
                                              {"reconstruct", "x", "--window", "3", "--out", "x"}}) {

@@ -1,100 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device/opencv_source.h"
 
-#include <atomic>
-#include <chrono>
-#include <thread>
-
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "core/base/clock.h"
-#include "core/device/streaming_camera.h"
-#include "tests/support/mjpeg_server.h"
 
 namespace gyre {
 namespace {
 
-using namespace std::chrono_literals;
-
-// A grey that tells the number of the picture, well apart for JPEG.
-cv::Mat numbered(int number) { return {48, 64, CV_8UC3, cv::Scalar::all((number % 60) * 4)}; }
-
-OpenCvSourceOptions brief() {
-  OpenCvSourceOptions options;
-  options.open_timeout_s = 1.0;
-  options.read_timeout_s = 0.5;
-  return options;
+const std::vector<VideoMode>& someModes() {
+  static const std::vector<VideoMode> kModes = {{640, 480, "YUYV", 30.0},
+                                                {1920, 1080, "YUYV", 5.0},
+                                                {2304, 1536, "YUYV", 2.0},
+                                                {1920, 1080, "MJPG", 30.0}};
+  return kModes;
 }
 
-TEST(OpenCvSource, ReadsANetworkCamera) {
-  test::MjpegServer server(numbered, 50.0);
-  auto source = openOpenCvSource(server.url(), brief());
-  ASSERT_TRUE(source) << source.error().sentence();
-  EXPECT_EQ((*source)->info().width_px, 64);
-  EXPECT_EQ((*source)->info().height_px, 48);
-  ASSERT_TRUE((*source)->grab(1.0));
-  const auto frame = (*source)->retrieve();
-  ASSERT_TRUE(frame);
-  EXPECT_EQ(frame->image_bgr.type(), CV_8UC3);
-  EXPECT_EQ(frame->view, -1);
-  EXPECT_GT(frame->time_s, 0.0);
-}
-
-TEST(OpenCvSource, GivesFreshPicturesThroughAStreamingCameraAfterAPause) {
-  std::atomic<int> newest{0};
-  test::MjpegServer server(
-      [&](int number) {
-        newest = number;
-        return numbered(number);
-      },
-      50.0);
-  StreamingCamera camera(openOpenCvSource(server.url(), brief()).value());
-  std::this_thread::sleep_for(300ms);
-  const int asked_at = newest;
-  const auto frame = camera.grabAfter(steadySeconds(), {});
-  ASSERT_TRUE(frame) << frame.error().sentence();
-  const int number = ((*frame)->image_bgr.at<cv::Vec3b>(20, 20)[0] + 2) / 4;
-  EXPECT_GT(number, asked_at % 60);
-}
-
-TEST(OpenCvSource, SaysThatAStreamHasNoControls) {
-  test::MjpegServer server(numbered, 50.0);
-  const CameraInfo info = openOpenCvSource(server.url(), brief()).value()->lockControls();
-  ASSERT_EQ(info.controls.size(), 4U);
-  EXPECT_FALSE(info.controls[0].locked);
-  EXPECT_FALSE(info.controls[0].remark.empty());
-}
-
-TEST(OpenCvSource, NoticesAFrozenAndAVanishedCamera) {
-  for (const bool frozen : {true, false}) {
-    test::MjpegServer server(numbered, 50.0);
-    auto source = openOpenCvSource(server.url(), brief());
-    ASSERT_TRUE(source);
-    ASSERT_TRUE((*source)->grab(1.0));
-    frozen ? server.freeze() : server.vanish();
-    const double start_s = steadySeconds();
-    Result<void> grabbed = (*source)->grab(1.0);
-    for (int i = 0; i < 200 && grabbed; ++i) grabbed = (*source)->grab(1.0);
-    ASSERT_FALSE(grabbed);
-    EXPECT_EQ(grabbed.error().code, Error::Code::kGone);
-    EXPECT_LT(steadySeconds() - start_s, 3.0);
-  }
-}
+OpenCvSourceOptions asked(const std::string& mode) { return cameraModeFromText(mode).value(); }
 
 TEST(OpenCvSource, RefusesWhatIsNoCamera) {
   for (const char* camera : {"", "999", "/dev/null-camera", "nonsense", "/dev/shm"}) {
-    const auto source = openOpenCvSource(camera, brief());
+    const auto source = openOpenCvSource(camera);
     ASSERT_FALSE(source) << camera;
     EXPECT_EQ(source.error().code, Error::Code::kNotFound) << camera;
   }
 }
 
-TEST(OpenCvSource, SaysThatNothingListensAndHidesThePassword) {
-  const auto source = openOpenCvSource("http://me:secret@127.0.0.1:9/video", brief());
+TEST(OpenCvSource, RefusesADeviceThatIsNoCamera) {
+  const auto source = openOpenCvSource("/dev/null");
   ASSERT_FALSE(source);
-  EXPECT_EQ(source.error().code, Error::Code::kNotFound);
-  EXPECT_EQ(source.error().sentence().find("secret"), std::string::npos);
-  EXPECT_NE(source.error().what.find("http://127.0.0.1:9/video"), std::string::npos);
+  EXPECT_EQ(source.error().code, Error::Code::kBusy);
+  EXPECT_FALSE(source.error().advice.empty());
 }
 
 TEST(CameraMode, ReadsSizeFormatAndRate) {
@@ -105,9 +40,42 @@ TEST(CameraMode, ReadsSizeFormatAndRate) {
   EXPECT_EQ(mode->pixel_format, "MJPG");
   EXPECT_EQ(mode->frames_per_s, 30.0);
   EXPECT_TRUE(cameraModeFromText("640x480"));
-  for (const char* text : {"", "640", "640x", "640x480@", "640x480@MJPEG", "x", "0x1F"}) {
+  for (const char* text : {"", "640", "640x", "640x480@", "640x480@MJPEG", "x", "0x1F", "0x480"}) {
     EXPECT_FALSE(cameraModeFromText(text)) << text;
   }
+}
+
+TEST(ChooseMode, TakesTheLargestAtFivePicturesASecondByItself) {
+  EXPECT_EQ(chooseMode(someModes(), {}).value(), (VideoMode{1920, 1080, "MJPG", 30.0}));
+}
+
+TEST(ChooseMode, TakesWhatIsAskedFor) {
+  EXPECT_EQ(chooseMode(someModes(), asked("1920x1080@YUYV")).value().frames_per_s, 5.0);
+  EXPECT_EQ(chooseMode(someModes(), asked("640x480")).value().pixel_format, "YUYV");
+  EXPECT_EQ(chooseMode(someModes(), asked("1920x1080@MJPG@15")).value().frames_per_s, 15.0);
+  EXPECT_EQ(chooseMode(someModes(), asked("2304x1536")).value().frames_per_s, 2.0);
+}
+
+TEST(ChooseMode, RefusesWhatIsNotThereAndTellsWhatIs) {
+  for (const char* mode : {"1024x768", "640x480@MJPG", "640x480@YUYV@60"}) {
+    const auto chosen = chooseMode(someModes(), asked(mode));
+    ASSERT_FALSE(chosen) << mode;
+    EXPECT_EQ(chosen.error().code, Error::Code::kRejected);
+    EXPECT_THAT(chosen.error().advice, testing::HasSubstr("1920x1080@MJPG@30"));
+  }
+}
+
+TEST(ChooseMode, LeavesItToADriverThatListsNone) {
+  EXPECT_EQ(chooseMode({}, asked("1024x768")).value().width_px, 1024);
+  EXPECT_EQ(chooseMode({}, {}).value(), VideoMode{});
+}
+
+TEST(KeepsMode, JudgesSizeAndFormatAndNotTheRate) {
+  const VideoMode mode{1920, 1080, "MJPG", 30.0};
+  EXPECT_TRUE(keepsMode(mode, {1920, 1080, "MJPG", 15.0}));
+  EXPECT_TRUE(keepsMode({}, mode));
+  EXPECT_FALSE(keepsMode(mode, {640, 480, "MJPG", 30.0}));
+  EXPECT_FALSE(keepsMode(mode, {1920, 1080, "YUYV", 30.0}));
 }
 
 }  // namespace

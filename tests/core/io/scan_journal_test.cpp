@@ -46,6 +46,24 @@ TEST(ScanJournal, KeepsEveryBitOfAView) {
   EXPECT_EQ(back.time_utc, view.time_utc);
 }
 
+TEST(ScanJournal, KeepsRemarksBesideTheViews) {
+  const TempDir dir;
+  {
+    auto journal = ScanJournal::open(dir / "j");
+    ASSERT_TRUE(journal->append(viewNumber(0)));
+    ASSERT_TRUE(journal->append(
+        ScanRemark{3, "The camera's \"focus\" 猫\nchanged.", "2026-01-01T12:00:00.000Z"}));
+    ASSERT_TRUE(journal->append(viewNumber(1)));
+  }
+  const auto journal = ScanJournal::open(dir / "j");
+  ASSERT_TRUE(journal) << journal.error().sentence();
+  EXPECT_THAT(numbersOf(*journal), testing::ElementsAre(0, 1));
+  ASSERT_EQ(journal->remarks().size(), 1U);
+  EXPECT_EQ(journal->remarks().front().view, 3);
+  EXPECT_EQ(journal->remarks().front().text, "The camera's \"focus\" 猫\nchanged.");
+  EXPECT_EQ(journal->remarks().front().time_utc, "2026-01-01T12:00:00.000Z");
+}
+
 TEST(ScanJournal, CutAnywhereLosesAtMostTheLastView) {
   const TempDir dir;
   std::string whole;

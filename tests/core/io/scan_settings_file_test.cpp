@@ -45,6 +45,23 @@ TEST(ScanSettingsText, ReadsBackTheSame) {
   EXPECT_EQ(back->start_angle_rad, settings.start_angle_rad);
 }
 
+TEST(ScanSettingsText, KeepsHowTheCameraWasSet) {
+  ScanSettings settings = oddSettings();
+  settings.camera_controls = {{"focus", true, 35.0, ""},
+                              {"exposure", true, 0.008, "", "1/125"},
+                              {"gain", false, 0.0, "The camera keeps changing it by itself."}};
+  const auto back = parseScanSettings(*scanSettingsText(settings), "f");
+  ASSERT_TRUE(back) << back.error().sentence();
+  ASSERT_EQ(back->camera_controls.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(back->camera_controls[i].name, settings.camera_controls[i].name);
+    EXPECT_EQ(back->camera_controls[i].locked, settings.camera_controls[i].locked);
+    EXPECT_EQ(back->camera_controls[i].value, settings.camera_controls[i].value);
+    EXPECT_EQ(back->camera_controls[i].word, settings.camera_controls[i].word);
+    EXPECT_EQ(back->camera_controls[i].remark, settings.camera_controls[i].remark);
+  }
+}
+
 TEST(ScanSettingsText, HoldsTheRigAsAnObjectAndNothingOnRealHardware) {
   EXPECT_THAT(*scanSettingsText(oddSettings()), HasSubstr("\"seed\": 7"));
   EXPECT_THAT(*scanSettingsText(ScanSettings{}), Not(HasSubstr("sim_rig")));
@@ -68,7 +85,7 @@ TEST(ScanSettingsText, NeverHoldsAPassword) {
   settings.camera = "http://anna:geheim@10.0.0.7:8080/video?user=anna&password=geheim&w=640";
   const std::string text = *scanSettingsText(settings);
   EXPECT_THAT(text, Not(HasSubstr("geheim")));
-  EXPECT_THAT(text, HasSubstr("http://10.0.0.7:8080/video?user=anna&password=&w=640"));
+  EXPECT_THAT(text, HasSubstr("http://anna:***@10.0.0.7:8080/video?user=anna&password=***&w=640"));
 }
 
 TEST(ParseScanSettings, TellsWhatIsWrong) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/compare.h"
 
+#include <cmath>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -101,11 +102,85 @@ TEST(CompareSurfaces, AlignsWhenAsked) {
   EXPECT_LT(aligned->p95_mm, 0.002);
 }
 
+TEST(CompareSurfaces, TellsHowItMovedTheResult) {
+  const Mesh bent = test::gridMesh(61, 61, [](double u, double v) {
+    return Eigen::Vector3d(20 * u, 30 * v, 6 * std::sin(5 * u) * std::cos(4 * v));
+  });
+  Mesh moved = bent;
+  for (MeshVertex& vertex : moved.vertices) vertex.position += Eigen::Vector3d(0.5, -0.4, 0.3);
+  CompareOptions options = quick();
+  EXPECT_TRUE(
+      compareSurfaces(moved, bent, options, {})->reference_from_result.translation.isZero());
+  options.alignment = Alignment::kRigid;
+  const Rigid3 back = compareSurfaces(moved, bent, options, {})->reference_from_result;
+  EXPECT_LT((back.translation - Eigen::Vector3d(-0.5, 0.4, -0.3)).norm(), 0.01);
+}
+
+TEST(CompareSurfaces, CountsDistancesInBins) {
+  const Mesh flat = test::squareMesh(20.0, 0.0);
+  PointCloud cloud;
+  for (int i = 0; i < 995; ++i) {
+    cloud.points.push_back(test::surfacePoint({0, 0, 0.3 * (i % 2)}, {0, 0, 1}));
+  }
+  for (int i = 0; i < 5; ++i) cloud.points.push_back(test::surfacePoint({0, 0, 4.0}, {0, 0, 1}));
+  const auto comparison = compareSurfaces(meshOfPoints(cloud), flat, quick(), {});
+  ASSERT_TRUE(comparison);
+  EXPECT_DOUBLE_EQ(comparison->scale_mm, 0.5);
+  EXPECT_DOUBLE_EQ(comparison->max_mm, 4.0);
+  ASSERT_EQ(comparison->histogram.size(), 41U);
+  double all = 0.0;
+  for (const ComparisonBin& bin : comparison->histogram) {
+    all += bin.share;
+    if (bin.from_mm < 0.3 && bin.to_mm > 0.3 - 1e-9) {
+      EXPECT_NEAR(bin.share, 0.497, 1e-9);
+    }
+  }
+  EXPECT_NEAR(all, 1.0, 1e-12);
+  EXPECT_NEAR(comparison->histogram.front().share, 0.498, 1e-9);
+  EXPECT_NEAR(comparison->histogram.back().share, 0.005, 1e-9);
+  EXPECT_DOUBLE_EQ(comparison->histogram.back().from_mm, 0.5);
+  // All on the surface: a scale of its own, and no division by zero.
+  const auto same = compareSurfaces(flat, flat, quick(), {});
+  ASSERT_TRUE(same);
+  EXPECT_GT(same->scale_mm, 0.0);
+  EXPECT_NEAR(same->histogram.front().share, 1.0, 1e-12);
+}
+
+TEST(VertexDistances, AreThoseToTheSurface) {
+  const auto distances_mm =
+      vertexDistances(test::squareMesh(10.0, 0.7), test::squareMesh(20.0, 0.0), {});
+  ASSERT_TRUE(distances_mm);
+  EXPECT_EQ(distances_mm->size(), 121U);
+  for (const double mm : *distances_mm) EXPECT_NEAR(mm, 0.7, 1e-12);
+}
+
+TEST(UnitDoubt, NamesTheUnitOfTheOtherShape) {
+  const Mesh mm = test::sphereMesh(40.0);
+  const auto doubt = [&](double times) {
+    Mesh other = mm;
+    for (MeshVertex& vertex : other.vertices) vertex.position *= times;
+    return unitDoubt(mm, other);
+  };
+  ASSERT_TRUE(doubt(0.001));
+  EXPECT_TRUE(doubt(0.001)->certain);
+  EXPECT_THAT(doubt(0.001)->words.what, HasSubstr("1000 times as large as the reference"));
+  EXPECT_THAT(doubt(0.001)->words.what, HasSubstr("in metres"));
+  EXPECT_THAT(doubt(1000.0)->words.what, HasSubstr("as large as the result"));
+  EXPECT_THAT(doubt(0.1)->words.what, HasSubstr("in centimetres"));
+  EXPECT_FALSE(doubt(0.1)->certain);
+  EXPECT_THAT(doubt(1.0 / 25.4)->words.what, HasSubstr("in inches"));
+  EXPECT_THAT(doubt(0.0001)->words.what, HasSubstr("cannot both be in millimetres"));
+  EXPECT_FALSE(doubt(1.0));
+  EXPECT_FALSE(doubt(0.15));
+  EXPECT_FALSE(unitDoubt(mm, Mesh{}));
+}
+
 TEST(CompareSurfaces, GivesTheSameNumbersAgain) {
   const Mesh a = test::sphereMesh(10.0, {0.1, 0, 0});
   const Mesh b = test::sphereMesh(10.0);
-  EXPECT_EQ(compareSurfaces(a, b, quick(), {})->mean_mm,
-            compareSurfaces(a, b, quick(), {})->mean_mm);
+  const CompareOptions options = quick();
+  EXPECT_EQ(compareSurfaces(a, b, options, {})->mean_mm,
+            compareSurfaces(a, b, options, {})->mean_mm);
 }
 
 TEST(CompareSurfaces, SaysWhatIsWrongWithTheInput) {

@@ -16,7 +16,18 @@
 namespace gyre {
 namespace {
 
-constexpr double kMmAPixel = 400.0 / 1200.0;
+constexpr double kMmAPixel = 400.0 / 600.0;
+
+// Half the size of the other tests' one, so that drawing stays quick.
+CameraModel smallCamera() {
+  CameraModel camera = test::plainCamera();
+  camera.width_px = 320;
+  camera.height_px = 240;
+  camera.fx = camera.fy = 600.0;
+  camera.cx = 159.5;
+  camera.cy = 119.5;
+  return camera;
+}
 
 // Whether a line of sight meets the object.
 using Hits = std::function<bool(const Ray&)>;
@@ -29,11 +40,11 @@ bool hitsBall(const Ray& ray, const Eigen::Vector3d& centre, double radius_mm) {
 // The mask of half the picture's size that a picture with exact pixels leaves.
 SightEvidence outlinesOf(const Hits& hits, int views) {
   SightEvidence evidence;
-  evidence.camera = test::plainCamera();
+  evidence.camera = smallCamera();
   for (const Rigid3& pose : test::turnOfViews(test::lookAt({0, 0, 20}, 400.0, 0.35), views)) {
-    cv::Mat mask = cv::Mat::zeros(240, 320, CV_8U);
-    for (int y = 0; y < 480; ++y) {
-      for (int x = 0; x < 640; ++x) {
+    cv::Mat mask = cv::Mat::zeros(120, 160, CV_8U);
+    for (int y = 0; y < 240; ++y) {
+      for (int x = 0; x < 320; ++x) {
         const Eigen::Vector2d pixel(x, y);
         if (hits(rayThrough(pose, evidence.camera.normalizedFromPixel(pixel)))) {
           mask.at<std::uint8_t>(y / 2, x / 2) = 255;
@@ -60,7 +71,7 @@ double medianDistance(const Mesh& mesh, const Eigen::Vector3d& centre, double ra
 }
 
 TEST(VisualHull, MakesABallWithinAFractionOfAPixel) {
-  const auto hull = visualHull(ballOutlines(36), {}, {});
+  const auto hull = visualHull(ballOutlines(24), {}, {});
   ASSERT_TRUE(hull) << hull.error().sentence();
   const MeshHealth health = meshHealth(hull->mesh);
   EXPECT_EQ(health.genus, 0);
@@ -81,21 +92,21 @@ TEST(VisualHull, MakesABallWithinAFractionOfAPixel) {
 TEST(VisualHull, KeepsAHoleThatOutlinesShow) {
   // A ring that stands upright, of balls.
   const auto ring = [](const Ray& ray) {
-    for (int i = 0; i < 40; ++i) {
-      const double turn_rad = kTurn_rad * i / 40;
+    for (int i = 0; i < 24; ++i) {
+      const double turn_rad = kTurn_rad * i / 24;
       const Eigen::Vector3d centre(0, 16.0 * std::cos(turn_rad), 22.0 + 16.0 * std::sin(turn_rad));
       if (hitsBall(ray, centre, 5.0)) return true;
     }
     return false;
   };
-  const auto hull = visualHull(outlinesOf(ring, 24), {}, {});
+  const auto hull = visualHull(outlinesOf(ring, 16), {}, {});
   ASSERT_TRUE(hull) << hull.error().sentence();
   EXPECT_EQ(meshHealth(hull->mesh).genus, 1);
 }
 
 TEST(VisualHull, ForgivesAFewWrongOutlines) {
-  SightEvidence evidence = ballOutlines(36);
-  evidence.outlines[4].mask(cv::Rect(0, 0, 320, 118)).setTo(0);
+  SightEvidence evidence = ballOutlines(24);
+  evidence.outlines[4].mask(cv::Rect(0, 0, 160, 59)).setTo(0);
   const auto cut = visualHull(evidence, {.disbelieved_share = 0.0}, {});
   const auto whole = visualHull(evidence, {.disbelieved_share = 0.06}, {});
   ASSERT_TRUE(cut);

@@ -106,6 +106,50 @@ TEST_F(Acquire, KeepsWhatItHasWhenThePortVanishesAndGoesOnLater) {
   EXPECT_EQ(seen_.back()->view, kViews - 1);
 }
 
+// The camera of the rig, whose focus somebody turns.
+class TurnedFocus final : public Camera {
+ public:
+  explicit TurnedFocus(Camera& camera) : camera_(camera) {}
+  Result<FramePtr> grabAfter(double time_s, const Task& task) override {
+    return camera_.grabAfter(time_s, task);
+  }
+  Result<CameraInfo> lockControls() override { return info(); }
+  Result<CameraInfo> readControls() override {
+    CameraInfo now = info();
+    now.controls[0].value = focus;
+    return now;
+  }
+  CameraInfo info() const override {
+    CameraInfo info;
+    info.controls = {{"focus", true, 35.0, ""}};
+    return info;
+  }
+  double focus = 35.0;
+
+ private:
+  Camera& camera_;
+};
+
+TEST_F(Acquire, KeepsInTheScanThatTheFocusMoved) {
+  TurnedFocus camera(*camera_);
+  ScanSettings settings;
+  settings.views = kViews;
+  settings.camera_controls = camera.info().controls;
+  {
+    auto store =
+        ScanStore::create(temp_ / "turned", settings, trueCalibration(renderer()->rig())).value();
+    const auto turn = [&](const FramePtr& frame) {
+      if (frame->view == 2) camera.focus = 40.0;
+    };
+    const auto done = acquire(*turntable_, camera, store, turn, {});
+    ASSERT_TRUE(done) << done.error().sentence();
+  }
+  const auto opened = ScanStore::open(temp_ / "turned");
+  ASSERT_TRUE(opened && opened->complete());
+  ASSERT_EQ(opened->remarks().size(), 1U);  // looked at in the first view and in the last
+  EXPECT_EQ(opened->remarks().front().text, "The camera's focus changed from 35 to 40 at view 6.");
+}
+
 TEST_F(Acquire, StopsOnRequestWithEverythingKept) {
   std::stop_source source;
   on_view_ = [&] {

@@ -13,6 +13,7 @@ namespace gyre {
 namespace {
 
 constexpr double kRadius_mm = 20.0;
+constexpr double kSpacing_mm = 1.6;  // of 2000 points
 
 // Evenly over a ball, down to the height given.
 PointCloud ball(std::size_t count, double lowest_z_mm) {
@@ -39,11 +40,15 @@ TEST(PoissonMesh, MakesABall) {
   EXPECT_EQ(health.genus, 0);
   const double truth_mm3 = 4.0 / 3.0 * kPi * std::pow(kRadius_mm, 3);
   EXPECT_NEAR(health.volume_mm3, truth_mm3, 0.02 * truth_mm3);
+  double sum_mm = 0.0;
   for (const MeshVertex& vertex : mesh->vertices) {
-    EXPECT_NEAR(vertex.position.norm(), kRadius_mm, 0.3);
+    const double off_mm = std::abs(vertex.position.norm() - kRadius_mm);
+    EXPECT_LT(off_mm, 0.5 * kSpacing_mm);
+    sum_mm += off_mm;
     EXPECT_EQ(vertex.seen, 1);
     EXPECT_EQ(vertex.rgb, (Rgb{200, 100, 50}));
   }
+  EXPECT_LT(sum_mm / static_cast<double>(mesh->vertices.size()), 0.1 * kSpacing_mm);
 }
 
 TEST(PoissonMesh, ClosesWhatWasNotSeenAndSaysSo) {

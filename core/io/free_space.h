@@ -1,0 +1,20 @@
+// Whether a disk has room for a scan, before the scan begins.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "core/base/result.h"
+#include "core/scan/picture_size.h"
+
+namespace gyre {
+
+// What so many pictures of a size and the results made of them take at most. [bytes]
+std::uintmax_t bytesForScan(int views, const PictureSize& size);
+
+// kNoSpace, with both numbers, when the disk on which the folder lies or would be made has fewer
+// bytes free than wanted. Success when it cannot be told.
+Result<void> checkFreeSpace(const std::filesystem::path& folder, std::uintmax_t wanted);
+
+}  // namespace gyre

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/free_space.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <opencv2/core.hpp>
+
+#include "core/io/picture_file.h"
+#include "tests/support/temp_dir.h"
+
+namespace gyre {
+namespace {
+
+TEST(FreeSpace, IsEnoughForLittleAndTellsBothNumbersForMuch) {
+  const TempDir dir;
+  EXPECT_TRUE(checkFreeSpace(dir.path(), 1));
+  const auto full = checkFreeSpace(dir / "not" / "there yet", std::uintmax_t{1} << 60U);
+  ASSERT_FALSE(full);
+  EXPECT_EQ(full.error().code, Error::Code::kNoSpace);
+  EXPECT_THAT(full.error().what,
+              testing::MatchesRegex(".*has .* free; this scan may take .* GB\\."));
+}
+
+TEST(FreeSpace, KnowsWhatAPictureOfNoiseTakes) {
+  const TempDir dir;
+  cv::Mat noise(240, 320, CV_8UC3);
+  cv::randu(noise, 0, 255);
+  ASSERT_TRUE(writePicture(dir / "noise.png", noise));
+  const auto more_views = bytesForScan(11, {320, 240}) - bytesForScan(10, {320, 240});
+  EXPECT_GE(more_views, std::filesystem::file_size(dir / "noise.png"));
+  EXPECT_LT(more_views, 1.1 * static_cast<double>(noise.total() * noise.elemSize()));
+}
+
+}  // namespace
+}  // namespace gyre
