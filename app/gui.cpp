@@ -180,6 +180,8 @@ class Photographer final : public QObject {
     QTimer::singleShot(100, this, [this] { take(); });
   }
   void take() {
+    // On a busy machine the timer may come before the panels are laid out anew.
+    QCoreApplication::sendPostedEvents();
     bench_.window().work_page->scene_view->picture();
     constexpr int kSmallest = 0;  // for PNG: the same picture in the fewest bytes
     const int quality = file_.endsWith(".png") ? kSmallest : -1;

@@ -94,7 +94,7 @@ void CleanRow::turnOff() {
 
 void CleanRow::showOn() {
   if (number_ != nullptr) number_->setEnabled(isOn());
-  if (slider_ == nullptr) return;
+  if (slider_ == nullptr || number_ == nullptr) return;
   slider_->setVisible(isOn());
   const double span = number_->maximum() - number_->minimum();
   if (span <= 0.0) return;

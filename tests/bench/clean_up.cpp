@@ -11,6 +11,7 @@
 #include "core/base/median.h"
 #include "core/base/random.h"
 #include "core/mesh/clean/base_cap.h"
+#include "core/mesh/clean/clean_mesh.h"
 #include "core/mesh/clean/crop.h"
 #include "core/mesh/clean/decimate.h"
 #include "core/mesh/clean/fill_holes.h"
@@ -138,6 +139,19 @@ const std::vector<std::pair<std::string, Step>> kSteps = {
        Mesh points = scan.scan;
        points.triangles.clear();
        return meshIn(wrapMesh(points, {}, {}));
+     }},
+    // What the window does for every change of a number: the whole clean-up with one step asked for.
+    {"preview_crop",
+     [](const Case& scan) {
+       CleanOptions options;
+       options.crop.radius_mm = 25.0;
+       return meshIn(cleanMesh(scan.scan, options, {}));
+     }},
+    {"preview_smooth",
+     [](const Case& scan) {
+       CleanOptions options;
+       options.smooth.iterations = 5;
+       return meshIn(cleanMesh(scan.scan, options, {}));
      }},
     {"crossings",
      [](const Case& scan) -> Result<Mesh> {

@@ -80,29 +80,37 @@ TEST_F(MainWindowTest, BeginsWithTheStartPage) {
 }
 
 TEST_F(MainWindowTest, ScrollsPanelsInsteadOfSqueezingTheirTexts) {
-  window_.resize(1320, 700);
-  window_.showWork(Step::kMesh);
+  applyTheme(*qApp, ThemeChoice::kLight);  // its sheet sets heights
+  MainWindow window;                       // made under the sheet, as the program's is
+  window.resize(1320, 840);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  window.showWork(Step::kScan);
+  QTest::qWait(20);
+  WorkPage* page = window.work_page;
+  page->measure_panel->showKept("Kept in measurements.json in the scan's folder.");
+  Bounds bounds;
+  bounds.include({-30.0, -30.0, 0.0});
+  bounds.include({30.0, 30.0, 60.0});
+  page->clean_panel->showSurface(bounds, 40000);
+  window.showWork(Step::kMesh);  // filled while it was hidden, and changed when it is shown
   Measurement measured;
   measured.to_in_table = {30.0, 0.0, 0.0};
   measured.length_mm = 30.0;
   measured.points_sigma_mm = 0.01;
   measured.scale_sigma_mm = 0.01;
   measured.caliper_mm = 30.5;
-  window_.work_page->measure_panel->showMeasurements({measured}, 0);
-  Bounds bounds;
-  bounds.include({-30.0, -30.0, 0.0});
-  bounds.include({30.0, 30.0, 60.0});
-  window_.work_page->clean_panel->showSurface(bounds, 40000);
-  for (auto* box : window_.work_page->clean_panel->findChildren<QCheckBox*>()) box->click();
+  page->measure_panel->showMeasurements({measured}, 0);
+  for (auto* box : page->clean_panel->findChildren<QCheckBox*>()) box->click();
   CleanReport report;
   report.steps = {
       {"Smooth", 9, 9, {{"vertices held by their sigma", 94.6, "%"}}},
       {"Crop", 9, 8, {{"triangles removed", 12345.0, ""}, {"triangles cut", 99.0, ""}}}};
-  window_.work_page->clean_panel->showReport(report);
-  QTest::qWait(50);
-  for (const QWidget* panel : {static_cast<QWidget*>(window_.work_page->clean_panel),
-                               static_cast<QWidget*>(window_.work_page->measure_panel),
-                               static_cast<QWidget*>(window_.work_page->mesh_panel)}) {
+  page->clean_panel->showReport(report);
+  QTest::qWait(100);
+  for (const QWidget* panel : {static_cast<QWidget*>(window.work_page->clean_panel),
+                               static_cast<QWidget*>(window.work_page->measure_panel),
+                               static_cast<QWidget*>(window.work_page->mesh_panel)}) {
     for (const QLabel* label : panel->findChildren<QLabel*>()) {
       if (!label->isVisible() || label->text().isEmpty()) continue;
       EXPECT_GE(label->height(), label->heightForWidth(label->width()))
@@ -111,6 +119,7 @@ TEST_F(MainWindowTest, ScrollsPanelsInsteadOfSqueezingTheirTexts) {
     for (const QWidget* spin : panel->findChildren<QDoubleSpinBox*>()) {
       if (!spin->isVisible()) continue;
       EXPECT_GE(spin->height(), spin->minimumSizeHint().height());
+      EXPECT_LE(spin->geometry().bottom(), spin->parentWidget()->rect().bottom());
     }
   }
 }
