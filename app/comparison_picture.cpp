@@ -90,7 +90,7 @@ void drawRow(QPainter& painter, const PaintedShape& painted, const Bounds& bound
     const QImage image(side.data, side.cols, side.rows, static_cast<int>(side.step),
                        QImage::Format_BGR888);
     const int left_px = kMargin_px + static_cast<int>(i) * kSide_px;
-    painter.drawImage(left_px, top_px + kTitle_px, image);
+    painter.drawImage(left_px, top_px + 2 * kTitle_px, image);
     painter.drawText(left_px, top_px + kTitle_px, kSide_px, kTitle_px, Qt::AlignHCenter,
                      QString::fromLatin1(kSides[i].first));
   }
@@ -152,7 +152,7 @@ Result<void> writeComparisonPicture(const std::filesystem::path& file,
     bounds.include(own.min);
     bounds.include(own.max);
   }
-  const int row_px = kTitle_px + kSide_px;
+  const int row_px = 2 * kTitle_px + kSide_px;
   const int top_px = kMargin_px + row_px * static_cast<int>(shapes.size());
   QImage image(kWidth_px, top_px + kTitle_px + kHistogramHeight_px + 80 + kMargin_px,
                QImage::Format_RGB888);
