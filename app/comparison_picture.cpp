@@ -62,6 +62,7 @@ PointCloud cloudOf(const Mesh& mesh) {
 
 std::vector<cv::Mat> sidesOf(const Mesh& coloured, const Bounds& bounds) {
   std::vector<ModelView> views;
+  views.reserve(kSides.size());
   for (const auto& [name, azimuth_deg] : kSides) {
     views.push_back(viewOf(bounds, radFromDeg(azimuth_deg), kElevation_rad, kSide_px));
   }
@@ -70,6 +71,7 @@ std::vector<cv::Mat> sidesOf(const Mesh& coloured, const Bounds& bounds) {
   }
   const PointCloud cloud = cloudOf(coloured);
   std::vector<cv::Mat> pictures;
+  pictures.reserve(views.size());
   for (const ModelView& view : views) {
     pictures.push_back(pictureOfPoints(cloud, view.camera, view.cam_from_table));
   }
@@ -90,7 +92,7 @@ void drawRow(QPainter& painter, const PaintedShape& painted, const Bounds& bound
     const QImage image(side.data, side.cols, side.rows, static_cast<int>(side.step),
                        QImage::Format_BGR888);
     const int left_px = kMargin_px + static_cast<int>(i) * kSide_px;
-    painter.drawImage(left_px, top_px + kTitle_px, image);
+    painter.drawImage(left_px, top_px + 2 * kTitle_px, image);
     painter.drawText(left_px, top_px + kTitle_px, kSide_px, kTitle_px, Qt::AlignHCenter,
                      QString::fromLatin1(kSides[i].first));
   }
@@ -152,7 +154,7 @@ Result<void> writeComparisonPicture(const std::filesystem::path& file,
     bounds.include(own.min);
     bounds.include(own.max);
   }
-  const int row_px = kTitle_px + kSide_px;
+  const int row_px = 2 * kTitle_px + kSide_px;
   const int top_px = kMargin_px + row_px * static_cast<int>(shapes.size());
   QImage image(kWidth_px, top_px + kTitle_px + kHistogramHeight_px + 80 + kMargin_px,
                QImage::Format_RGB888);

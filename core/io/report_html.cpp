@@ -84,8 +84,12 @@ void addPictures(const ReportFacts& facts, Page& page) {
   page.raw("<div class=\"pictures\">\n");
   for (const InlinePicture& each : facts.pictures) {
     const std::string caption = xmlText(each.caption);
-    page.raw("<figure><img alt=\"" + caption + "\" src=\"data:" + xmlText(each.mime) + ";base64," +
-             base64(each.bytes) + "\"><figcaption>" + caption + "</figcaption></figure>\n");
+    page.raw("<figure><img alt=\"");
+    page.raw(caption);
+    page.raw("\" src=\"data:" + xmlText(each.mime) + ";base64," + base64(each.bytes));
+    page.raw("\"><figcaption>");
+    page.raw(caption);
+    page.raw("</figcaption></figure>\n");
   }
   page.raw("</div>\n");
 }

@@ -70,6 +70,7 @@ void addPhoto(const fs::path& folder, ReportFacts& facts) {
 
 void addSides(const Model& model, ReportFacts& facts) {
   std::vector<ModelView> views;
+  views.reserve(kSides.size());
   for (const auto& [caption, azimuth_deg] : kSides) {
     views.push_back(
         viewOf(facts.bounds, radFromDeg(azimuth_deg), kElevation_rad, kFiner * kSide_px));
@@ -78,6 +79,7 @@ void addSides(const Model& model, ReportFacts& facts) {
   if (const auto* mesh = std::get_if<Mesh>(&model)) {
     sides = picturesOfSurface(*mesh, views, SurfacePaint::kColours);
   } else {
+    sides.reserve(views.size());
     for (const ModelView& view : views) {
       sides.push_back(
           pictureOfPoints(std::get<PointCloud>(model), view.camera, view.cam_from_table));
