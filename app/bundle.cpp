@@ -59,8 +59,8 @@ std::vector<Item> itemsOf(const fs::path& folder, const std::string& title,
     if (!tellsWithoutShowing(file) && !(whole && (isPicture(file) || file.extension() == ".ply"))) {
       continue;
     }
-    const std::string name = file.lexically_relative(folder).generic_string();
-    items.push_back({title + "/" + name, file, isPicture(file)});
+    const fs::path name = fs::path(title) / file.lexically_relative(folder);
+    items.push_back({name.generic_string(), file, isPicture(file)});
   }
   std::sort(items.begin(), items.end(),
             [](const Item& a, const Item& b) { return a.name < b.name; });

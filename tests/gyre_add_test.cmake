@@ -33,6 +33,9 @@ function(gyre_add_test folder name)
   if("ui" IN_LIST arg_LABELS AND NOT "gl" IN_LIST arg_LABELS)
     set_tests_properties(${folder}/${name} PROPERTIES ENVIRONMENT QT_QPA_PLATFORM=offscreen)
   endif()
+  # Logs of wires belong to whoever uses the program, not to its tests.
+  set_property(TEST ${folder}/${name} APPEND PROPERTY
+    ENVIRONMENT "XDG_CACHE_HOME=${PROJECT_BINARY_DIR}/tests/cache")
   foreach(label IN ITEMS data pty)
     if(label IN_LIST arg_LABELS)
       set_tests_properties(${folder}/${name} PROPERTIES

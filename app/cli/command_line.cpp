@@ -26,10 +26,9 @@ void addLoudness(CLI::App& command, Loudness& loudness) {
 }
 
 void addSubcommands(CLI::App& app, Loudness& loudness, Run& chosen) {
-  for (const auto& add :
-       {addDemo, addScan, addResume, addCalibrate, addReconstruct, addMesh, addMeasure, addReport,
-        addExport, addCompare, addReproduce, addPrintTarget, addDevices, addBundle,
-        addSimFirmware}) {
+  for (const auto& add : {addDemo, addScan, addResume, addCalibrate, addReconstruct, addMesh,
+                          addMeasure, addReport, addExport, addCompare, addReproduce,
+                          addPrintTarget, addDevices, addBundle, addSimFirmware}) {
     add(app, chosen);
   }
   for (CLI::App* command : app.get_subcommands({})) addLoudness(*command, loudness);

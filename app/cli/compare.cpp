@@ -172,6 +172,10 @@ void addCompare(CLI::App& app, Run& chosen) {
                       "Write the result coloured by its distance, and the distance: a .ply");
   command->add_option("--at", words->options.at_mm, "Distances in mm (default 0.25,0.5,1)")
       ->delimiter(',');
+  command
+      ->add_option("--scale", words->options.scale_mm,
+                   "Where colours and histogram end, in mm; without it by the distances")
+      ->check(CLI::Range(1e-6, 1e6));
   command->add_flag("--align", words->align, "Move and turn the result to fit first");
   command->callback([&chosen, words] {
     chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };

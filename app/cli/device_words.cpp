@@ -52,13 +52,24 @@ std::string jsonList(const std::vector<Entry>& entries) {
   return text + (entries.empty() ? "]" : "\n  ]");
 }
 
+std::string answerText(const TableAnswer& answer) {
+  return "    at " + std::to_string(answer.baud) + " baud, asked " + answer.asked + ": " +
+         (answer.heard.empty() ? "no answer" : answer.heard);
+}
+
+std::string portText(const PortInfo& port) { return port.path + "  " + port.description; }
+
 }  // namespace
+
+void tellAnswers(Console& console, const std::vector<TableAnswer>& answers) {
+  for (const TableAnswer& answer : answers) console.note(answerText(answer));
+}
 
 void tellPorts(Console& console, const std::vector<ListedPort>& ports,
                const std::vector<PortDiagnosis>& adapters) {
   if (ports.empty()) console.say("No serial port is connected.");
   for (const ListedPort& port : ports) {
-    console.say(port.info.path + "  " + port.info.description);
+    console.say(portText(port.info));
     if (port.diagnosis.state == PortState::kReady) continue;
     console.say("    " + port.diagnosis.what);
     if (!port.diagnosis.advice.empty()) console.say("    " + port.diagnosis.advice);
@@ -83,10 +94,7 @@ void tellDiagnosis(Console& console, const PortDiagnosis& diagnosis) {
   }
   if (!diagnosis.advice.empty()) console.say("    " + diagnosis.advice);
   for (const std::string& hindrance : diagnosis.hindrances) console.say("    " + hindrance);
-  for (const TableAnswer& answer : diagnosis.answers) {
-    console.note("    at " + std::to_string(answer.baud) + " baud, asked " + answer.asked + ": " +
-                 (answer.heard.empty() ? "no answer" : answer.heard));
-  }
+  tellAnswers(console, diagnosis.answers);
 }
 
 std::string devicesJson(const std::vector<ListedPort>& ports,

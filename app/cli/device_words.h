@@ -20,7 +20,8 @@ struct ListedPort {
 void tellPorts(Console& console, const std::vector<ListedPort>& ports,
                const std::vector<PortDiagnosis>& adapters);
 void tellCameras(Console& console, const std::vector<CameraDeviceInfo>& cameras);
-// Verbose consoles are told all questions and answers.
+// What was asked and what was heard, to verbose consoles.
+void tellAnswers(Console& console, const std::vector<TableAnswer>& answers);
 void tellDiagnosis(Console& console, const PortDiagnosis& diagnosis);
 
 std::string devicesJson(const std::vector<ListedPort>& ports,

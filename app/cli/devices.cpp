@@ -61,10 +61,7 @@ int probe(const Words& words, Console& console, const Task& task) {
     tellDiagnosis(console, found);
     return kDone;
   }
-  for (const TableAnswer& answer : found.answers) {
-    console.note("    at " + std::to_string(answer.baud) + " baud, asked " + answer.asked + ": " +
-                 (answer.heard.empty() ? "no answer" : answer.heard));
-  }
+  tellAnswers(console, found.answers);
   return console.fail({Error::Code::kRejected, found.what, found.advice});
 }
 

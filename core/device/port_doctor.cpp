@@ -121,7 +121,8 @@ PortState stateOf(const TableSearch& search) {
 
 void tellHolder(PortDiagnosis& diagnosis, const DoctorView& view) {
   for (const std::string& holder : holdersOf(diagnosis.port, view)) {
-    diagnosis.held_by += (diagnosis.held_by.empty() ? "" : ", ") + holder;
+    if (!diagnosis.held_by.empty()) diagnosis.held_by += ", ";
+    diagnosis.held_by += holder;
   }
   if (diagnosis.held_by.empty()) return;
   diagnosis.what = diagnosis.port + " is in use by " + diagnosis.held_by + ".";
@@ -150,6 +151,18 @@ PortDiagnosis grabbed(const std::string& vendor, const std::string& product) {
   return diagnosis;
 }
 
+PortDiagnosis withoutPort(const KnownAdapter& known, const std::string& vendor,
+                          const std::string& product) {
+  PortDiagnosis diagnosis;
+  diagnosis.port = vendor + ":" + product;
+  diagnosis.state = PortState::kNoDriver;
+  diagnosis.what = "An adapter " + std::string(known.name) + " (" + diagnosis.port +
+                   ") is plugged in and has no serial port.";
+  diagnosis.advice = "Load its driver with \"sudo modprobe " + std::string(known.module) +
+                     "\" and plug it in again; a board in its boot loader has no port either.";
+  return diagnosis;
+}
+
 }  // namespace
 
 std::string_view portStateWord(PortState state) {
@@ -169,7 +182,8 @@ std::vector<std::string> holdersOf(const std::string& path, const DoctorView& vi
     for (const fs::path& open : entriesOf(program / "fd")) {
       std::error_code unseen;
       if (fs::read_symlink(open, unseen) != device || unseen) continue;
-      holders.push_back(firstLine(program / "comm") + " (" + program.filename().string() + ")");
+      std::string holder = firstLine(program / "comm");
+      holders.push_back(holder.append(" (").append(program.filename().string()).append(")"));
       break;
     }
   }
@@ -206,14 +220,7 @@ std::vector<PortDiagnosis> diagnoseAdapters(const DoctorView& view) {
       found.push_back(grabbed(vendor, product));
       continue;
     }
-    PortDiagnosis diagnosis;
-    diagnosis.port = vendor + ":" + product;
-    diagnosis.state = PortState::kNoDriver;
-    diagnosis.what = "An adapter " + std::string(known->name) + " (" + diagnosis.port +
-                     ") is plugged in and has no serial port.";
-    diagnosis.advice = "Load its driver with \"sudo modprobe " + std::string(known->module) +
-                       "\" and plug it in again; a board in its boot loader has no port either.";
-    found.push_back(diagnosis);
+    found.push_back(withoutPort(*known, vendor, product));
   }
   return found;
 }

@@ -130,6 +130,7 @@ std::vector<ControlState> lockV4l2Controls(V4l2Device& device, const V4l2LockOpt
   for (const Control& control : kControls) static_cast<void>(lock(device, control));
   // Read when all are set: ending one automatic starts another in some cameras.
   std::vector<ControlState> locked;
+  locked.reserve(kControls.size() + 1);
   for (const Control& control : kControls) locked.push_back(lock(device, control));
   locked.push_back(mainsState(device));
   std::erase_if(locked, [](const ControlState& state) { return !isTold(state); });
@@ -138,6 +139,7 @@ std::vector<ControlState> lockV4l2Controls(V4l2Device& device, const V4l2LockOpt
 
 std::vector<ControlState> readV4l2Controls(V4l2Device& device) {
   std::vector<ControlState> states;
+  states.reserve(kControls.size() + 1);
   for (const Control& control : kControls) states.push_back(stateOf(device, control));
   states.push_back(mainsState(device));
   std::erase_if(states, [](const ControlState& state) { return !isTold(state); });

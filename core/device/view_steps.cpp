@@ -46,7 +46,8 @@ std::string viewStepsRemark(double steps_per_turn, int views) {
   if (even.empty()) return remark;
   remark += " Even are";
   for (std::size_t i = 0; i < even.size(); ++i) {
-    remark += (i == 0 ? " " : i + 1 == even.size() ? " or " : ", ") + std::to_string(even[i]);
+    remark += i == 0 ? " " : i + 1 == even.size() ? " or " : ", ";
+    remark += std::to_string(even[i]);
   }
   return remark + " views.";
 }

@@ -10,7 +10,7 @@
 
 namespace gyre {
 
-// What so many pictures of a size and the results made of them take at most. [bytes]
+// What so many noisy pictures of a size and the results made of them take. [bytes]
 std::uintmax_t bytesForScan(int views, const PictureSize& size);
 
 // kNoSpace, with both numbers, when the disk on which the folder lies or would be made has fewer

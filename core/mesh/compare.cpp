@@ -105,8 +105,9 @@ double roundAbove(double number) {
   return 10.0 * power;
 }
 
-void fillHistogram(const std::vector<double>& ascending, Comparison& comparison) {
-  comparison.scale_mm = roundAbove(std::max(kLeastScale_mm, quantile(ascending, 0.99)));
+void fillHistogram(const std::vector<double>& ascending, double scale_mm, Comparison& comparison) {
+  comparison.scale_mm =
+      scale_mm > 0.0 ? scale_mm : roundAbove(std::max(kLeastScale_mm, quantile(ascending, 0.99)));
   comparison.max_mm = ascending.back();
   double below = 0.0;
   for (int i = 0; i < kBins; ++i) {
@@ -124,15 +125,15 @@ void fillHistogram(const std::vector<double>& ascending, Comparison& comparison)
 }
 
 Comparison summarize(const std::vector<double>& to_reference, const std::vector<double>& to_result,
-                     const std::vector<double>& at_mm) {
+                     const CompareOptions& options) {
   Comparison comparison;
   comparison.samples = to_reference.size();
   for (const double mm : to_reference) comparison.mean_mm += mm;
   comparison.mean_mm /= static_cast<double>(to_reference.size());
   comparison.median_mm = quantile(to_reference, 0.5);
   comparison.p95_mm = quantile(to_reference, 0.95);
-  fillHistogram(to_reference, comparison);
-  for (const double d_mm : at_mm) {
+  fillHistogram(to_reference, options.scale_mm, comparison);
+  for (const double d_mm : options.at_mm) {
     ComparisonAt at;
     at.d_mm = d_mm;
     at.precision = shareWithin(to_reference, d_mm);
@@ -168,7 +169,7 @@ Result<Comparison> compareInPlace(const Mesh& result, const Mesh& reference,
                  "Check that both are in millimetres, have an area, and lie in the same place."};
   }
   task.report(1.0, "Compared");
-  return summarize(to_reference, to_result, options.at_mm);
+  return summarize(to_reference, to_result, options);
 }
 
 }  // namespace
@@ -179,6 +180,10 @@ Result<void> CompareOptions::validate() const {
       return badInput("A distance to compare at is not a length above 0 mm.",
                       "Write lengths in millimetres, such as 0.25,0.5,1.");
     }
+  }
+  if (!std::isfinite(scale_mm) || scale_mm < 0.0) {
+    return badInput("The scale of the colours is not a length above 0 mm.",
+                    "Write a length in millimetres, such as 0.5.");
   }
   if (samples == 0) return badInput("Nothing can be compared with 0 samples.", "Take 1 or more.");
   return {};

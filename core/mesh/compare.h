@@ -27,6 +27,8 @@ struct CompareOptions {
   // How many places of a mesh are measured, uniform by area; clouds are taken as they are. >= 1
   std::size_t samples = 100000;
   Alignment alignment = Alignment::kNone;
+  // Where histogram and colours end; 0 chooses a round number by the distances. [mm], >= 0
+  double scale_mm = 0.0;
   // Only reference surface seen by so many views counts, by MeshVertex::views. 0: all of it counts.
   double min_views_seen = 0.0;
   // The result is judged above this height only, which leaves the platter out. [mm], table frame

@@ -68,6 +68,7 @@ Moved compare(const StillPatches& patches, const cv::Mat& now_bgr) {
 std::vector<ViewMatch> undistorted(const CameraModel& camera,
                                    const std::vector<PixelMatch>& pixels) {
   std::vector<ViewMatch> matches;
+  matches.reserve(pixels.size());
   for (const PixelMatch& each : pixels) {
     matches.push_back(
         {camera.normalizedFromPixel(each.first), camera.normalizedFromPixel(each.second)});

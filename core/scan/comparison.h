@@ -35,7 +35,7 @@ struct Comparison {
   // 40 bins of one width up to scale_mm, and one for all above where there are any. Shares add up
   // to 1.
   std::vector<ComparisonBin> histogram;
-  double scale_mm = 0.0;         // 1, 2 or 5 times a power of ten that 99 % of the distances do not exceed
+  double scale_mm = 0.0;         // by itself a round number that 99 % of them do not exceed
   Rigid3 reference_from_result;  // how the result was moved to fit; identity when it was not
 };
 

@@ -88,15 +88,25 @@ TEST_F(TakeUpScan, RefusesAnotherObjectUnlessSomebodyTrustsIt) {
   RigSettings other = options().sim;
   other.object = "mouse";
   Rig rig = rigAt(30.0, other);
-  const auto steps = rig.room->shaft->steps();
   const auto refused = takeUpScan(rig, *store_, TakeUp::kProve, {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, Error::Code::kRejected);
   EXPECT_FALSE(refused.error().advice.empty());
-  EXPECT_EQ(rig.room->shaft->steps(), steps) << "moved before anybody said so";
   const auto trusted = takeUpScan(rig, *store_, TakeUp::kTrust, {});
   ASSERT_TRUE(trusted) << trusted.error().sentence();
   EXPECT_EQ(trusted->size(), 1U);
+}
+
+TEST_F(TakeUpScan, MovesNothingWhereNothingIsRecognised) {
+  RigSettings elsewhere = options().sim;
+  elsewhere.object = "mouse";
+  elsewhere.seed = 77;  // another platter, another room
+  Rig rig = rigAt(30.0, elsewhere);
+  const auto steps = rig.room->shaft->steps();
+  const auto refused = takeUpScan(rig, *store_, TakeUp::kProve, {});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().what, HasSubstr("sees none of the views"));
+  EXPECT_EQ(rig.room->shaft->steps(), steps);
 }
 
 TEST_F(TakeUpScan, RefusesAPushedObject) {

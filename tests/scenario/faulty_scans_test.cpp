@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -130,8 +131,9 @@ TEST(FaultyScans, LoseNoViewAndNoMemory) {
     const auto store = ScanStore::open(dir / "scan");
     ASSERT_TRUE(store && store->complete());
     for (const CapturedView& view : store->views()) {
-      const Frame truth =
-          renderer->render(small.steps_per_turn * view.view / kViews, TableLoad::kObject);
+      const Frame truth = renderer->render(
+          std::lround(static_cast<double>(small.steps_per_turn) * view.view / kViews),
+          TableLoad::kObject);
       const auto kept = store->readView(view);
       ASSERT_TRUE(kept);
       EXPECT_TRUE(std::equal(truth.image_bgr.datastart, truth.image_bgr.dataend,

@@ -27,18 +27,18 @@ bool sendAll(int client, std::string_view bytes) {
   return true;
 }
 
-std::vector<unsigned char> jpegOf(const cv::Mat& picture) {
-  std::vector<unsigned char> jpeg;
-  cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, 98});
-  return jpeg;
-}
-
 std::string partOf(const std::vector<unsigned char>& jpeg) {
   return "--frame\r\nContent-Type: image/jpeg\r\nContent-Length: " + std::to_string(jpeg.size()) +
          "\r\n\r\n" + std::string(jpeg.begin(), jpeg.end()) + "\r\n";
 }
 
 }  // namespace
+
+std::vector<unsigned char> jpegOf(const cv::Mat& picture) {
+  std::vector<unsigned char> jpeg;
+  cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, 98});
+  return jpeg;
+}
 
 MjpegServer::MjpegServer(std::function<cv::Mat(int)> picture, double frames_per_s)
     : picture_(std::move(picture)), interval_s_(1.0 / frames_per_s) {

@@ -6,10 +6,14 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <opencv2/core/mat.hpp>
 
 namespace gyre::test {
+
+// The picture as the server sends it.
+std::vector<unsigned char> jpegOf(const cv::Mat& picture);
 
 // One client at a time, on 127.0.0.1, at a port the system chooses.
 class MjpegServer {

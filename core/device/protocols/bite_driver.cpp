@@ -136,6 +136,7 @@ Result<std::int64_t> BiteDriver::travel(std::span<const std::int64_t> places,
   for (const std::int64_t target : places) {
     while (place_ != target) {
       if (interrupted && interrupted()) return cancelled();
+      if (const Result<void> ready = prepare(place_, interrupted); !ready) return ready.error();
       under_way_ = biteOf(std::clamp(target - place_, -most, most));
       if (const Result<void> turned = turn(place_, under_way_, interrupted); !turned) {
         if (turned.error().code == Error::Code::kRejected) under_way_ = 0;
@@ -173,7 +174,7 @@ Result<std::optional<std::int64_t>> BiteDriver::halt() {
   if (!told) return told.error();
   if (*told) {
     place_ = **told;
-  } else if (heard_end) {
+  } else if (heard_end || by == 0) {
     place_ += by;
   } else {
     return std::optional<std::int64_t>();

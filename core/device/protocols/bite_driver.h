@@ -54,6 +54,8 @@ class BiteDriver : public TableDriver {
   virtual Result<void> introduce(const std::string& greeting, const Interrupted& interrupted) = 0;
   // The motor by what introduce() learnt.
   virtual Result<TableMotor> motorFor(const TurntableOptions& options) const = 0;
+  // What has to be said before each bite; moves nothing.
+  virtual Result<void> prepare(std::int64_t /*from*/, const Interrupted&) { return {}; }
   // Makes the bite and returns when the firmware says that the table stands at its end. kRejected
   // only when nothing has moved.
   virtual Result<void> turn(std::int64_t from, std::int64_t by, const Interrupted& interrupted) = 0;

@@ -39,6 +39,11 @@ std::int64_t FabScanDriver::biteOf(std::int64_t way) const {
   return std::clamp(way, -kMostSteps, kMostSteps);
 }
 
+// The motor is off after a restart, of which nobody hears, and counts all the same.
+Result<void> FabScanDriver::prepare(std::int64_t from, const Interrupted& interrupted) {
+  return energise(from, interrupted);
+}
+
 Result<void> FabScanDriver::turn(std::int64_t, std::int64_t by, const Interrupted& interrupted) {
   const std::string line = "G2 T" + std::to_string(by) + " F200";
   if (const Result<void> turned = obey(line, biteDeadline_s(by), interrupted); !turned) {

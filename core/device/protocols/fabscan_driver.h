@@ -20,6 +20,7 @@ class FabScanDriver final : public BiteDriver {
   Sign signOf(std::string_view line) const override;
   Result<void> introduce(const std::string& greeting, const Interrupted& interrupted) override;
   Result<TableMotor> motorFor(const TurntableOptions& options) const override;
+  Result<void> prepare(std::int64_t from, const Interrupted& interrupted) override;
   Result<void> turn(std::int64_t from, std::int64_t by, const Interrupted& interrupted) override;
   Result<void> settle(double timeout_s, const Interrupted& interrupted) override;
   Result<void> energise(std::int64_t at, const Interrupted& interrupted) override;

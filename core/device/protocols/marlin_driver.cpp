@@ -52,7 +52,8 @@ std::string MarlinDriver::wrapped(const std::string& line) {
   return numbered + "*" + std::to_string(sum);
 }
 
-Result<void> MarlinDriver::beginNumbers(const Interrupted& interrupted) {
+// A number that got lost on the wire must not spoil the next line.
+Result<void> MarlinDriver::prepare(std::int64_t, const Interrupted& interrupted) {
   line_number_ = -1;
   const Result<void> done = obey("M110 N0", kAnswer_s, interrupted);
   if (done) line_number_ = 0;
@@ -155,7 +156,6 @@ Result<void> MarlinDriver::energise(std::int64_t at, const Interrupted& interrup
 
 Result<void> MarlinDriver::turn(std::int64_t from, std::int64_t by,
                                 const Interrupted& interrupted) {
-  if (const Result<void> ready = beginNumbers(interrupted); !ready) return ready;
   const double per_step = motor().units_per_turn / motor().steps_per_turn;
   const double feed_per_min = options().speed_deg_per_s * motor().units_per_turn / 360.0 * 60.0;
   commanded_ = from + by;

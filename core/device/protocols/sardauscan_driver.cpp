@@ -69,14 +69,16 @@ Result<std::optional<std::int64_t>> SardauscanDriver::askPlace(const Interrupted
   return std::optional<std::int64_t>(zero_ + *place);
 }
 
-Result<void> SardauscanDriver::turn(std::int64_t from, std::int64_t by,
-                                    const Interrupted& interrupted) {
-  if (std::abs(from - zero_) > kMostSteps) {
-    const auto is_reset = [](std::string_view line) { return line.starts_with("RESET "); };
-    const Result<std::string> reset = ask("T C", is_reset, kQuestion_s, interrupted);
-    if (!reset) return reset.error();
-    zero_ = from;
-  }
+Result<void> SardauscanDriver::prepare(std::int64_t from, const Interrupted& interrupted) {
+  if (std::abs(from - zero_) <= kMostSteps) return {};
+  const auto is_reset = [](std::string_view line) { return line.starts_with("RESET "); };
+  const Result<std::string> reset = ask("T C", is_reset, kQuestion_s, interrupted);
+  if (!reset) return reset.error();
+  zero_ = from;
+  return {};
+}
+
+Result<void> SardauscanDriver::turn(std::int64_t, std::int64_t by, const Interrupted& interrupted) {
   return obey("T R " + std::to_string(by), biteDeadline_s(by), interrupted);
 }
 

@@ -18,6 +18,7 @@ class SardauscanDriver final : public BiteDriver {
   Sign signOf(std::string_view line) const override;
   Result<void> introduce(const std::string& greeting, const Interrupted& interrupted) override;
   Result<TableMotor> motorFor(const TurntableOptions& options) const override;
+  Result<void> prepare(std::int64_t from, const Interrupted& interrupted) override;
   Result<void> turn(std::int64_t from, std::int64_t by, const Interrupted& interrupted) override;
   Result<void> settle(double timeout_s, const Interrupted& interrupted) override;
   std::int64_t biteOf(std::int64_t way) const override;

@@ -22,8 +22,9 @@ TEST(CommandLine, TellsItsVersionAndItsWords) {
   EXPECT_THAT(gyre({"--version"}).out, HasSubstr("gyre 0."));
   const Answer help = gyre({"--help"});
   EXPECT_EQ(help.code, 0);
-  for (const char* command : {"demo", "scan", "resume", "calibrate", "reconstruct", "mesh",
-                              "compare", "measure", "report", "export", "devices", "sim-firmware", "reproduce"}) {
+  for (const char* command :
+       {"demo", "scan", "resume", "calibrate", "reconstruct", "mesh", "compare", "measure",
+        "report", "export", "devices", "sim-firmware", "reproduce"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const Answer own = gyre({command, "--help"});
     EXPECT_EQ(own.code, 0) << command;

@@ -54,7 +54,7 @@ class SmallDisk : public testing::Test {
   void SetUp() override {
     const int own = ::geteuid() == 0 ? CLONE_NEWNS : CLONE_NEWUSER | CLONE_NEWNS;
     if (::unshare(own) != 0 || ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
-        ::mount("none", dir_.path().c_str(), "tmpfs", 0, "size=160m") != 0) {
+        ::mount("none", dir_.path().c_str(), "tmpfs", 0, "size=110m") != 0) {
       GTEST_SKIP() << "This system lets no test mount a disk of its own.";
     }
     mounted_ = true;
@@ -80,7 +80,7 @@ TEST_F(SmallDisk, IsRefusedBeforeTheScanWhereAllViewsWillNotFit) {
   const auto store = ScanStore::create(dir_ / "scan", settings(), calibration());
   ASSERT_FALSE(store);
   EXPECT_EQ(store.error().code, Error::Code::kNoSpace);
-  EXPECT_THAT(store.error().what, HasSubstr("MB free; this scan may take 151 MB"));
+  EXPECT_THAT(store.error().what, HasSubstr("MB free; this scan may take 100 MB"));
   EXPECT_FALSE(fs::exists(dir_ / "scan"));
 }
 
@@ -144,7 +144,8 @@ TEST_F(SmallDisk, ThatCanOnlyBeReadShowsItsScanAndTakesNoView) {
 TEST(ScanFolder, MayHaveAnyNameAndStandVeryDeep) {
   const TempDir dir;
   fs::path deep = dir.path();
-  for (int i = 0; i < 12; ++i) deep /= "Kröte \xe2\x80\xae 蛙 \n 'quoted\" %s " + std::string(200, 'o');
+  for (int i = 0; i < 12; ++i)
+    deep /= "Kröte \xe2\x80\xae 蛙 \n 'quoted\" %s " + std::string(200, 'o');
   ASSERT_GT(deep.string().size(), 2500U);
   {
     auto store = ScanStore::create(deep / "äöü 猫.v1", settings(), calibration());

@@ -139,6 +139,13 @@ TEST(CompareSurfaces, CountsDistancesInBins) {
   EXPECT_NEAR(comparison->histogram.front().share, 0.498, 1e-9);
   EXPECT_NEAR(comparison->histogram.back().share, 0.005, 1e-9);
   EXPECT_DOUBLE_EQ(comparison->histogram.back().from_mm, 0.5);
+  CompareOptions chosen = quick();
+  chosen.scale_mm = 0.2;
+  const auto cut = compareSurfaces(meshOfPoints(cloud), flat, chosen, {});
+  EXPECT_DOUBLE_EQ(cut->scale_mm, 0.2);
+  EXPECT_NEAR(cut->histogram.back().share, 0.502, 1e-9);
+  chosen.scale_mm = -1.0;
+  EXPECT_FALSE(compareSurfaces(flat, flat, chosen, {}));
   // All on the surface: a scale of its own, and no division by zero.
   const auto same = compareSurfaces(flat, flat, quick(), {});
   ASSERT_TRUE(same);
