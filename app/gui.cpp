@@ -94,7 +94,9 @@ std::array<ScenePick, 2> widestPicks(const Mesh& mesh) {
 class Photographer final : public QObject {
  public:
   Photographer(Workbench& bench, const GuiOptions& options)
-      : bench_(bench), file_(QString::fromStdString(options.screenshot.string())) {
+      : bench_(bench),
+        file_(QString::fromStdString(options.screenshot.string())),
+        scene_(options.scene) {
     bench_.window().show();
     QTimer::singleShot(kPatience_ms, this, [] {
       QApplication::exit(failWith("The scene did not come about within ten minutes."));
@@ -117,22 +119,21 @@ class Photographer final : public QObject {
                 if (facts.views_done >= kPictureShare * kPictureViews) takeSoon();
               });
     } else {
-      connect(&bench_.controller(), &ScanController::meshMade, this,
-              [this, scene = options.scene] { showSurface(scene); });
+      connect(&bench_.controller(), &ScanController::meshMade, this, [this] { showSurface(); });
     }
   }
 
  private:
-  void showSurface(const std::string& scene) {
+  void showSurface() {
     WorkPage* page = bench_.window().work_page;
     page->scene_view->fit();
-    if (scene == "clean") {
+    if (scene_ == "clean") {
       connect(&bench_.controller().editor(), &SurfaceEditor::previewMade, this,
               [this] { takeSoon(); });
       connect(&bench_.controller().editor(), &SurfaceEditor::previewRefused, this,
               [](const Error& error) { QApplication::exit(failWith(error.sentence())); });
       page->clean_panel->choose(pictureCleaning(*bench_.controller().mesh()));
-    } else if (scene == "measure") {
+    } else if (scene_ == "measure") {
       connect(&bench_.measures(), &MeasureController::changed, this,
               [this](const std::vector<Measurement>& measured) {
                 if (!measured.empty()) takeSoon();
@@ -195,6 +196,7 @@ class Photographer final : public QObject {
 
   Workbench& bench_;
   QString file_;
+  std::string scene_;
   QTemporaryDir work_;
   bool asked_ = false;
   bool saved_ = false;
