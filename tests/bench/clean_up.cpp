@@ -140,7 +140,8 @@ const std::vector<std::pair<std::string, Step>> kSteps = {
        points.triangles.clear();
        return meshIn(wrapMesh(points, {}, {}));
      }},
-    // What the window does for every change of a number: the whole clean-up with one step asked for.
+    // What the window does for every change of a number: the whole clean-up with one step asked
+    // for.
     {"preview_crop",
      [](const Case& scan) {
        CleanOptions options;
