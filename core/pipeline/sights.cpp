@@ -25,6 +25,26 @@ constexpr int kCoarser = 2;      // than the outlines kept: so many rays are eno
 constexpr int kWidening_px = 1;  // around each point, and of the whole: masks err by a few pixels
 constexpr int kMargin_px = 3;    // around the outline's box: rays farther out meet nothing anyhow
 
+// Makes the mask full of the object at each pixel where a point of the cloud is seen, and so far
+// around it.
+void fillWherePointsAre(const PointCloud& cloud, const CameraModel& camera,
+                        const Rigid3& cam_from_table, int around_px, cv::Mat& mask) {
+  const double shrunk = shrinkOf(mask, camera.width_px);
+  for (const Point& point : cloud.points) {
+    const auto pixel = camera.project(cam_from_table * point.position);
+    if (!pixel) continue;
+    const int x = static_cast<int>(std::floor((pixel->x() + 0.5) / shrunk));
+    const int y = static_cast<int>(std::floor((pixel->y() + 0.5) / shrunk));
+    for (int row = std::max(0, y - around_px); row <= std::min(mask.rows - 1, y + around_px);
+         ++row) {
+      for (int column = std::max(0, x - around_px);
+           column <= std::min(mask.cols - 1, x + around_px); ++column) {
+        mask.at<std::uint8_t>(row, column) = 255;
+      }
+    }
+  }
+}
+
 // Coarser and wider than the outline, and full of the object where points of the cloud are seen,
 // beside it too: what is 0 is background for certain.
 cv::Mat widened(const Silhouette& silhouette, const CameraModel& camera,
@@ -35,20 +55,7 @@ cv::Mat widened(const Silhouette& silhouette, const CameraModel& camera,
              cv::INTER_AREA);
   constexpr int kKernel_px = 2 * kWidening_px + 1;
   cv::dilate(mask, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kKernel_px, kKernel_px}));
-  const double shrunk = shrinkOf(mask, camera.width_px);
-  for (const Point& point : cloud.points) {
-    const auto pixel = camera.project(cam_from_table * point.position);
-    if (!pixel) continue;
-    const int x = static_cast<int>(std::floor((pixel->x() + 0.5) / shrunk));
-    const int y = static_cast<int>(std::floor((pixel->y() + 0.5) / shrunk));
-    for (int row = std::max(0, y - kWidening_px); row <= std::min(mask.rows - 1, y + kWidening_px);
-         ++row) {
-      for (int column = std::max(0, x - kWidening_px);
-           column <= std::min(mask.cols - 1, x + kWidening_px); ++column) {
-        mask.at<std::uint8_t>(row, column) = 255;
-      }
-    }
-  }
+  fillWherePointsAre(cloud, camera, cam_from_table, kWidening_px, mask);
   return mask;
 }
 
@@ -100,7 +107,9 @@ SightEvidence sightsOf(const Calibration& calibration, std::span<const double> t
     const Rigid3& pose = poses[silhouette.view];
     const cv::Mat mask = widened(silhouette, calibration.camera, pose, cloud);
     sights.background.push_back(backgroundOf(mask, calibration.camera, pose));
-    sights.outlines.push_back({pose, silhouette.mask});
+    cv::Mat outline = silhouette.mask.clone();
+    fillWherePointsAre(cloud, calibration.camera, pose, 0, outline);
+    sights.outlines.push_back({pose, outline});
   }
   return sights;
 }

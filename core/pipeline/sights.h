@@ -16,8 +16,8 @@ namespace gyre {
 
 // Camera centres at the table's angles, one for each view, and rays through the background beside
 // the silhouettes, and the outlines, of some views spread over the turn. Where points of the cloud
-// lie beside an outline, the outline is wrong, and no ray is given. The calibration has its
-// cam_from_table.
+// lie beside an outline, the outline is wrong: it is mended, and no ray is given. The calibration
+// has its cam_from_table.
 SightEvidence sightsOf(const Calibration& calibration, std::span<const double> table_angles_rad,
                        const Silhouettes& silhouettes, const PointCloud& cloud);
 
