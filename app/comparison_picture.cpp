@@ -130,7 +130,7 @@ void drawHistogram(QPainter& painter, const Comparison& comparison, const QRect&
                      QPointF(at_px, place.bottom() + 8 + kScaleHeight_px));
     painter.drawText(QRectF(at_px - 60, place.bottom() + 28, 120, 24), Qt::AlignHCenter,
                      words(formatted("%.4g", comparison.scale_mm * i / kTicks)) +
-                         (i == kTicks ? QStringLiteral(" mm") : QString()));
+                         (i == 0 ? QStringLiteral(" mm") : QString()));
   }
 }
 

@@ -55,6 +55,7 @@ std::vector<Patch> patchesOf(const Mesh& mesh, const std::vector<std::uint32_t>&
     }
   }
   std::vector<Patch> listed;
+  listed.reserve(patches.size());
   for (auto& [first, patch] : patches) listed.push_back(std::move(patch));
   return listed;
 }

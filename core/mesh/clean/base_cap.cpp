@@ -200,12 +200,6 @@ void openGuessedBase(Mesh& mesh, const BaseCapOptions& options) {
                        [&](std::uint32_t corner) { return mesh.vertices[corner].seen == 0; });
   };
   const auto base = baseFacets(mesh, is_unseen, options.z_mm + options.tolerance_mm);
-  const auto on_base = [&](std::uint32_t t) {
-    return std::all_of(mesh.triangles[t].begin(), mesh.triangles[t].end(), [&](auto corner) {
-      return mesh.vertices[corner].position.z() <= options.z_mm;
-    });
-  };
-  if (std::all_of(base.begin(), base.end(), on_base)) return;
   std::vector<Triangle> kept;
   kept.reserve(mesh.triangles.size() - base.size());
   auto next = base.begin();
@@ -220,16 +214,17 @@ void openGuessedBase(Mesh& mesh, const BaseCapOptions& options) {
   removeUnusedVertices(mesh);
 }
 
-}  // namespace
+// Whether a part of the surface lies in the base already.
+bool restsOnBase(const Mesh& mesh, double z_mm) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t corner) {
+      return mesh.vertices[corner].position.z() <= z_mm;
+    });
+  });
+}
 
-Result<CappedMesh> capBase(const Mesh& mesh, const BaseCapOptions& options, const Task& task) {
-  if (const Result<void> valid = options.validate(); !valid) return valid.error();
-  if (const Result<void> checked = checkSurface(mesh); !checked) return checked.error();
-  auto above = cropMesh(mesh, {.z_min_mm = options.z_mm}, task);
-  if (!above) return above.error();
-  CappedMesh capped;
-  capped.mesh = std::move(above->mesh);
-  openGuessedBase(capped.mesh, options);
+// Leads the rims near the base down and closes them.
+Result<CappedMesh> closeRims(CappedMesh capped, const BaseCapOptions& options, const Task& task) {
   if (const Result<void> separated = separate(capped, task); !separated) return separated.error();
   const std::vector<Rim> rims = rimsNearBase(capped.mesh, options);
   if (rims.empty()) return capped;
@@ -245,6 +240,27 @@ Result<CappedMesh> capBase(const Mesh& mesh, const BaseCapOptions& options, cons
     computeNormals(capped.mesh);
     return std::move(capped);
   });
+}
+
+}  // namespace
+
+Result<CappedMesh> capBase(const Mesh& mesh, const BaseCapOptions& options, const Task& task) {
+  if (const Result<void> valid = options.validate(); !valid) return valid.error();
+  if (const Result<void> checked = checkSurface(mesh); !checked) return checked.error();
+  auto above = cropMesh(mesh, {.z_min_mm = options.z_mm}, task);
+  if (!above) return above.error();
+  CappedMesh capped;
+  capped.mesh = std::move(above->mesh);
+  if (const Result<void> separated = separate(capped, task); !separated) return separated.error();
+  if (!findRims(capped.mesh).empty()) return closeRims(std::move(capped), options, task);
+  if (restsOnBase(capped.mesh, options.z_mm)) return capped;
+  CappedMesh opened = capped;
+  openGuessedBase(opened.mesh, options);
+  auto closed = closeRims(std::move(opened), options, task);
+  if (!closed && closed.error().code == Error::Code::kCancelled) return closed;
+  // A closed body stays one: where its base cannot be led down it stays where it is.
+  if (!closed || !findRims(closed->mesh).empty()) return capped;
+  return closed;
 }
 
 }  // namespace gyre
