@@ -32,7 +32,7 @@ MeasurePanel::MeasurePanel(QAction* measure, QWidget* parent) : QWidget(parent) 
                             tr("Two clicks on the model give a length; Esc ends (M)"));
   button->setCheckable(true);
   connect(button, &QPushButton::toggled, measure, &QAction::setChecked);
-  connect(measure, &QAction::toggled, button, [this, button](bool on) {
+  connect(measure, &QAction::toggled, button, [button](bool on) {
     button->setChecked(on);
     button->setText(on ? tr("End measuring") : tr("Measure with two clicks"));
   });

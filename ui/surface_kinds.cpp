@@ -50,6 +50,7 @@ SurfaceKind surfaceKind(MeshMethod method) {
 
 std::vector<MeshMethod> offeredSurfaceKinds() {
   std::vector<MeshMethod> kinds;
+  kinds.reserve(kMeshMethodWords.size());
   for (const auto& [method, word] : kMeshMethodWords) kinds.push_back(method);
   return kinds;
 }
