@@ -8,6 +8,7 @@
 #include <QDateTime>
 
 #include "core/io/measurements_file.h"
+#include "core/pipeline/report_page.h"
 
 namespace gyre {
 namespace {
@@ -161,11 +162,14 @@ void MeasureController::tell() {
 
 void MeasureController::keep() {
   if (model_.folder.empty() || !may_keep_) return;
-  jobs_.start([file = model_.folder / kFile, measurements = measurements_](
-                  const Task&) { return writeMeasurements(file, measurements); },
-              [this](const Result<void>& outcome) {
-                if (!outcome) Q_EMIT failed(outcome.error());
-              });
+  jobs_.start(
+      [folder = model_.folder, measurements = measurements_](const Task&) -> Result<void> {
+        if (auto kept = writeMeasurements(folder / kFile, measurements); !kept) return kept;
+        return refreshReportPage(folder);
+      },
+      [this](const Result<void>& outcome) {
+        if (!outcome) Q_EMIT failed(outcome.error());
+      });
 }
 
 }  // namespace gyre

@@ -145,13 +145,6 @@ int list(const fs::path& folder, Console& console) {
   return kDone;
 }
 
-// The folder's report tells of the measurement too, where there is one.
-Result<void> refreshPage(const fs::path& folder) {
-  std::error_code ignored;
-  if (!fs::exists(folder / "report.json", ignored)) return {};
-  return writeReportPage(folder);
-}
-
 int run(const Words& words, Console& console, const Task&) {
   const fs::path folder = folderOf(words.input);
   if (words.from_mm.empty() && words.to_mm.empty() && !folder.empty()) return list(folder, console);
@@ -171,7 +164,7 @@ int run(const Words& words, Console& console, const Task&) {
   if (const auto kept = addMeasurement(folder, *measurement); !kept) {
     return console.fail(kept.error());
   }
-  if (const auto told = refreshPage(folder); !told) return console.fail(told.error());
+  if (const auto told = refreshReportPage(folder); !told) return console.fail(told.error());
   console.note("Kept in " + (folder / "measurements.json").string() + ".");
   return kDone;
 }

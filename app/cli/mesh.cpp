@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -23,6 +24,7 @@
 #include "core/pipeline/colour_mesh.h"
 #include "core/pipeline/make_mesh.h"
 #include "core/pipeline/report_page.h"
+#include "core/pipeline/result_pictures.h"
 
 namespace gyre {
 namespace {
@@ -72,14 +74,14 @@ Result<MeshRequest> requestOf(const Words& words) {
 // Where the vertices are not the points, or where it is asked for, the pictures tell the colours.
 Result<void> colour(Mesh& mesh, const Words& words, MeshMethod method, const MeshInput& input,
                     const Task& task) {
-  std::optional<std::filesystem::path> pictures;
+  std::vector<std::filesystem::path> folders;
   if (!words.pictures.empty()) {
-    pictures = words.pictures;
-  } else if (method == MeshMethod::kSilhouette) {
-    pictures = picturesOf(input.folder);
+    folders = {words.pictures};
+  } else if (method == MeshMethod::kSilhouette && !firstPictureOf(input.folder).empty()) {
+    folders = pictureFoldersOf(input.folder);
   }
-  if (!pictures) return {};
-  const auto coloured = colourFromPictures(mesh, input.folder, *pictures, task);
+  if (folders.empty()) return {};
+  const auto coloured = colourFromPictures(mesh, input.folder, folders, task);
   if (!coloured) return coloured.error();
   return {};
 }
@@ -91,8 +93,7 @@ Result<void> refreshPage(const Words& words, const std::filesystem::path& folder
   const bool own = out.filename() == "mesh.ply" &&
                    std::filesystem::equivalent(std::filesystem::absolute(out).parent_path(),
                                                std::filesystem::absolute(folder), ignored);
-  if (!own || !std::filesystem::exists(folder / "report.json", ignored)) return {};
-  return writeReportPage(folder);
+  return own ? refreshReportPage(folder) : Result<void>{};
 }
 
 int run(const Words& words, Console& console, const Task& task) {

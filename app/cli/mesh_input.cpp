@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/io/file_bytes.h"
 #include "core/io/model_file.h"
 #include "core/io/visibility_file.h"
 #include "core/pipeline/sights.h"
@@ -12,11 +13,6 @@ namespace gyre {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isThere(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(file, ignored);
-}
 
 // points.ply of a folder or a scan, or the file itself.
 fs::path pointsFile(const std::string& input) {
@@ -60,12 +56,6 @@ Result<MeshInput> readMeshInput(const std::string& input, MeshMethod method) {
   if (!sights) return sights.error();
   read.sights = std::move(*sights);
   return read;
-}
-
-std::optional<fs::path> picturesOf(const fs::path& folder) {
-  std::error_code ignored;
-  if (!fs::is_directory(folder / "frames", ignored)) return std::nullopt;
-  return folder / "frames";
 }
 
 }  // namespace gyre

@@ -24,7 +24,4 @@ struct MeshInput {
 // the cloud may be empty or missing. Fails when a file is missing or cannot be read.
 Result<MeshInput> readMeshInput(const std::string& input, MeshMethod method);
 
-// The pictures of a result: its folder "frames", where it has one.
-std::optional<std::filesystem::path> picturesOf(const std::filesystem::path& folder);
-
 }  // namespace gyre

@@ -22,6 +22,11 @@ Error notAFile(const std::filesystem::path& file, bool is_folder) {
 
 }  // namespace
 
+bool isThere(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
 Error fileError(int error_number, const std::string& doing, const std::filesystem::path& file) {
   const std::string what = "Cannot " + doing + " \"" + file.string() + "\": ";
   switch (error_number) {

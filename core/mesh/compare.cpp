@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/rigid_alignment.h"
 #include "core/mesh/surface_index.h"
+#include "core/mesh/surface_points.h"
 #include "core/mesh/surface_samples.h"
 
 namespace gyre {
@@ -247,15 +248,7 @@ std::optional<UnitDoubt> unitDoubt(const Mesh& result, const Mesh& reference) {
 Mesh meshOfPoints(const PointCloud& cloud) {
   Mesh mesh;
   mesh.vertices.reserve(cloud.points.size());
-  for (const Point& point : cloud.points) {
-    MeshVertex vertex;
-    vertex.position = point.position;
-    vertex.normal = point.normal;
-    vertex.rgb = point.rgb;
-    vertex.sigma_mm = static_cast<float>(point.sigmaMm());
-    vertex.views = static_cast<std::uint16_t>(std::min<std::size_t>(point.views.size(), 65535));
-    mesh.vertices.push_back(vertex);
-  }
+  for (const Point& point : cloud.points) mesh.vertices.push_back(vertexOf(point));
   return mesh;
 }
 

@@ -260,7 +260,9 @@ Result<VisualHullMesh> visualHull(const SightEvidence& evidence, const VisualHul
                  "that the object can be told from its background."};
   }
   task.report(0.0, "Looking for the object in its outlines");
-  SightEvidence mended = evidence;
+  SightEvidence mended;
+  mended.camera = evidence.camera;
+  mended.outlines = evidence.outlines;
   closeBites(mended, options.gap_share);
   const double most_share = std::min(kMendingTimes.front() * options.disbelieved_share, 0.5);
   const auto box = findBox(HullDistance(mended, most_share), whereItMayBe(evidence), task);

@@ -8,10 +8,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/geometry/turntable_pose.h"
-#include "core/io/angles_file.h"
 #include "core/io/atomic_file.h"
-#include "core/io/calibration_file.h"
 #include "core/io/file_bytes.h"
 #include "core/io/model_file.h"
 #include "core/io/picture_file.h"
@@ -19,16 +16,12 @@
 #include "core/io/result_folder.h"
 #include "core/io/silhouettes_file.h"
 #include "core/pipeline/result_pictures.h"
+#include "core/pipeline/result_views.h"
 
 namespace gyre {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isThere(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(file, ignored);
-}
 
 Result<PosedPictures> readPosed(const fs::path& folder) {
   for (const char* name : {"points.ply", "calibration.json", "angles_solved.csv"}) {
@@ -38,22 +31,15 @@ Result<PosedPictures> readPosed(const fs::path& folder) {
                  "Name the folder of a finished scan or reconstruction; `gyre resume` finishes a "
                  "scan."};
   }
-  const auto calibration = readCalibration(folder / "calibration.json");
-  if (!calibration) return calibration.error();
-  if (!calibration->cam_from_table) {
-    return Error{Error::Code::kInvalidInput,
-                 "The calibration of the result does not say where the table is.",
-                 "Reconstruct with a calibration that was made on the turning table."};
-  }
-  const auto angles = readAngleList(folder / "angles_solved.csv");
-  if (!angles) return angles.error();
+  auto views = readResultViews(folder);
+  if (!views) return views.error();
   auto cloud = readPointCloud(folder / "points.ply");
   if (!cloud) return cloud.error();
   PosedPictures posed;
-  posed.camera = calibration->camera;
-  for (const PictureAngle& each : *angles) {
-    posed.pictures.push_back(
-        {each.picture, camFromTable(*calibration->cam_from_table, each.angle_rad), {}});
+  posed.camera = views->calibration.camera;
+  const std::vector<Rigid3> poses = views->camFromTable();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    posed.pictures.push_back({std::move(views->angles[i].picture), poses[i], {}});
   }
   posed.cloud = std::move(*cloud);
   if (const fs::path file = folder / "sightings.bin"; isThere(file)) {

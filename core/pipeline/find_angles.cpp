@@ -13,16 +13,6 @@ namespace {
 
 constexpr double kTolerance_px = 1.0;
 
-std::vector<ViewMatch> undistorted(const CameraModel& camera, std::span<const PixelMatch> pixels) {
-  std::vector<ViewMatch> matches;
-  matches.reserve(pixels.size());
-  for (const PixelMatch& each : pixels) {
-    matches.push_back(
-        {camera.normalizedFromPixel(each.first), camera.normalizedFromPixel(each.second)});
-  }
-  return matches;
-}
-
 TurnMatches undistorted(const CameraModel& camera, const MatchedPictures& matched) {
   TurnMatches matches;
   matches.stride = matched.stride;

@@ -55,4 +55,14 @@ Result<MatchedPictures> matchPictures(const std::vector<PictureView>& views, con
   return matched;
 }
 
+std::vector<ViewMatch> undistorted(const CameraModel& camera, std::span<const PixelMatch> pixels) {
+  std::vector<ViewMatch> matches;
+  matches.reserve(pixels.size());
+  for (const PixelMatch& each : pixels) {
+    matches.push_back(
+        {camera.normalizedFromPixel(each.first), camera.normalizedFromPixel(each.second)});
+  }
+  return matches;
+}
+
 }  // namespace gyre

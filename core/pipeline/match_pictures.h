@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/base/task.h"
+#include "core/geometry/camera_model.h"
 #include "core/pipeline/reconstruct.h"
+#include "core/recover/turn_steps.h"
 #include "core/track/view_matches.h"
 
 namespace gyre {
@@ -27,5 +30,8 @@ struct MatchedPictures {
 // Finds spots in each picture, where its mask allows, and matches them (matchSpots). Fails when a
 // picture cannot be read or the task is stopped. Progress tells view i of N.
 Result<MatchedPictures> matchPictures(const std::vector<PictureView>& views, const Task& task);
+
+// The same matches in normalised coordinates, without the lens' distortion.
+std::vector<ViewMatch> undistorted(const CameraModel& camera, std::span<const PixelMatch> pixels);
 
 }  // namespace gyre

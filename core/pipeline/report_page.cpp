@@ -11,9 +11,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/units.h"
-#include "core/io/angles_file.h"
 #include "core/io/atomic_file.h"
 #include "core/io/calibration_record_file.h"
+#include "core/io/file_bytes.h"
 #include "core/io/measurements_file.h"
 #include "core/io/model_file.h"
 #include "core/io/model_label.h"
@@ -38,11 +38,6 @@ constexpr std::array<std::pair<const char*, double>, 4> kSides = {{{"From the fr
                                                                    {"From behind", 180.0},
                                                                    {"From the left", 270.0}}};
 
-bool isThere(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(file, ignored);
-}
-
 cv::Mat resized(const cv::Mat& picture, int width_px) {
   const int height_px = std::max(1, width_px * picture.rows / picture.cols);
   cv::Mat small;
@@ -50,14 +45,8 @@ cv::Mat resized(const cv::Mat& picture, int width_px) {
   return small;
 }
 
-fs::path firstPicture(const fs::path& folder) {
-  const auto angles = readAngleList(folder / "angles_solved.csv");
-  if (!angles || angles->empty()) return {};
-  return findPicture(pictureFoldersOf(folder), angles->front().picture);
-}
-
 void addPhoto(const fs::path& folder, ReportFacts& facts) {
-  const fs::path file = firstPicture(folder);
+  const fs::path file = firstPictureOf(folder);
   if (file.empty()) return;
   const auto photo = readPicture(file);
   if (!photo) {
@@ -145,6 +134,11 @@ Result<void> writeReportPage(const fs::path& folder) {
   const auto facts = reportFactsOf(folder);
   if (!facts) return facts.error();
   return writeFileAtomically(folder / "report.html", reportHtml(*facts));
+}
+
+Result<void> refreshReportPage(const fs::path& folder) {
+  if (!isThere(folder / "report.json")) return {};
+  return writeReportPage(folder);
 }
 
 }  // namespace gyre

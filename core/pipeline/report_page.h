@@ -18,4 +18,7 @@ Result<ReportFacts> reportFactsOf(const std::filesystem::path& folder);
 // the above has changed. A tenth of a second for 100 000 triangles. Thread: any.
 Result<void> writeReportPage(const std::filesystem::path& folder);
 
+// The same where the folder holds a report.json, else nothing.
+Result<void> refreshReportPage(const std::filesystem::path& folder);
+
 }  // namespace gyre

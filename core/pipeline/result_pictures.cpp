@@ -3,6 +3,7 @@
 
 #include <system_error>
 
+#include "core/io/angles_file.h"
 #include "core/io/report_reader.h"
 
 namespace gyre {
@@ -28,6 +29,12 @@ fs::path findPicture(const std::vector<fs::path>& folders, const std::string& na
     if (fs::is_regular_file(folder / name, ignored)) return folder / name;
   }
   return {};
+}
+
+fs::path firstPictureOf(const fs::path& folder) {
+  const auto angles = readAngleList(folder / "angles_solved.csv");
+  if (!angles || angles->empty()) return {};
+  return findPicture(pictureFoldersOf(folder), angles->front().picture);
 }
 
 }  // namespace gyre

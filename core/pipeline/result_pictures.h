@@ -16,4 +16,7 @@ std::vector<std::filesystem::path> pictureFoldersOf(const std::filesystem::path&
 std::filesystem::path findPicture(const std::vector<std::filesystem::path>& folders,
                                   const std::string& name);
 
+// The picture of the first view of the result in a folder; empty when it is not found.
+std::filesystem::path firstPictureOf(const std::filesystem::path& folder);
+
 }  // namespace gyre

@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/parallel.h"
 #include "core/geometry/turntable_pose.h"
-#include "core/io/angles_file.h"
-#include "core/io/calibration_file.h"
+#include "core/io/file_bytes.h"
 #include "core/io/silhouettes_file.h"
+#include "core/pipeline/result_views.h"
 
 namespace gyre {
 
@@ -25,16 +25,25 @@ constexpr int kCoarser = 2;      // than the outlines kept: so many rays are eno
 constexpr int kWidening_px = 1;  // around each point, and of the whole: masks err by a few pixels
 constexpr int kMargin_px = 3;    // around the outline's box: rays farther out meet nothing anyhow
 
-// Makes the mask full of the object at each pixel where a point of the cloud is seen, and so far
-// around it.
-void fillWherePointsAre(const PointCloud& cloud, const CameraModel& camera,
-                        const Rigid3& cam_from_table, int around_px, cv::Mat& mask) {
-  const double shrunk = shrinkOf(mask, camera.width_px);
+// Where the points of the cloud are seen, or would be.
+std::vector<Eigen::Vector2d> pixelsOf(const PointCloud& cloud, const CameraModel& camera,
+                                      const Rigid3& cam_from_table) {
+  std::vector<Eigen::Vector2d> pixels;
+  pixels.reserve(cloud.points.size());
   for (const Point& point : cloud.points) {
-    const auto pixel = camera.project(cam_from_table * point.position);
-    if (!pixel) continue;
-    const int x = static_cast<int>(std::floor((pixel->x() + 0.5) / shrunk));
-    const int y = static_cast<int>(std::floor((pixel->y() + 0.5) / shrunk));
+    if (const auto pixel = camera.project(cam_from_table * point.position)) {
+      pixels.push_back(*pixel);
+    }
+  }
+  return pixels;
+}
+
+// Makes the mask full of the object at each of the picture's pixels, and so far around it.
+void fillAt(const std::vector<Eigen::Vector2d>& pixels, double shrunk, int around_px,
+            cv::Mat& mask) {
+  for (const Eigen::Vector2d& pixel : pixels) {
+    const int x = static_cast<int>(std::floor((pixel.x() + 0.5) / shrunk));
+    const int y = static_cast<int>(std::floor((pixel.y() + 0.5) / shrunk));
     for (int row = std::max(0, y - around_px); row <= std::min(mask.rows - 1, y + around_px);
          ++row) {
       for (int column = std::max(0, x - around_px);
@@ -47,15 +56,14 @@ void fillWherePointsAre(const PointCloud& cloud, const CameraModel& camera,
 
 // Coarser and wider than the outline, and full of the object where points of the cloud are seen,
 // beside it too: what is 0 is background for certain.
-cv::Mat widened(const Silhouette& silhouette, const CameraModel& camera,
-                const Rigid3& cam_from_table, const PointCloud& cloud) {
+cv::Mat widened(const cv::Mat& outline, int picture_width_px,
+                const std::vector<Eigen::Vector2d>& pixels) {
   cv::Mat mask;
-  cv::resize(silhouette.mask, mask,
-             {silhouette.mask.cols / kCoarser, silhouette.mask.rows / kCoarser}, 0.0, 0.0,
+  cv::resize(outline, mask, {outline.cols / kCoarser, outline.rows / kCoarser}, 0.0, 0.0,
              cv::INTER_AREA);
   constexpr int kKernel_px = 2 * kWidening_px + 1;
   cv::dilate(mask, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kKernel_px, kKernel_px}));
-  fillWherePointsAre(cloud, camera, cam_from_table, kWidening_px, mask);
+  fillAt(pixels, shrinkOf(mask, picture_width_px), kWidening_px, mask);
   return mask;
 }
 
@@ -101,47 +109,43 @@ SightEvidence sightsOf(const Calibration& calibration, std::span<const double> t
     sights.camera_centres.push_back(poses.back().inverse().translation);
   }
   const std::size_t asked = std::min(kOutlinesAsked, silhouettes.size());
+  std::vector<const Silhouette*> chosen;
   for (std::size_t i = 0; i < asked; ++i) {
     const Silhouette& silhouette = silhouettes[i * silhouettes.size() / asked];
-    if (silhouette.view >= poses.size()) continue;
-    const Rigid3& pose = poses[silhouette.view];
-    const cv::Mat mask = widened(silhouette, calibration.camera, pose, cloud);
-    sights.background.push_back(backgroundOf(mask, calibration.camera, pose));
-    cv::Mat outline = silhouette.mask.clone();
-    fillWherePointsAre(cloud, calibration.camera, pose, 0, outline);
-    sights.outlines.push_back({pose, outline});
+    if (silhouette.view < poses.size()) chosen.push_back(&silhouette);
   }
+  sights.background.resize(chosen.size());
+  sights.outlines.resize(chosen.size());
+  const CameraModel& camera = calibration.camera;
+  parallelFor(chosen.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Rigid3& pose = poses[chosen[i]->view];
+      const std::vector<Eigen::Vector2d> pixels = pixelsOf(cloud, camera, pose);
+      cv::Mat outline = chosen[i]->mask.clone();
+      sights.background[i] = backgroundOf(widened(outline, camera.width_px, pixels), camera, pose);
+      fillAt(pixels, shrinkOf(outline, camera.width_px), 0, outline);
+      sights.outlines[i] = {pose, outline};
+    }
+  });
   return sights;
 }
 
 Result<std::optional<SightEvidence>> readSights(const std::filesystem::path& folder,
                                                 const PointCloud& cloud) {
-  const auto calibration_file = folder / "calibration.json";
-  const auto angles_file = folder / "angles_solved.csv";
-  std::error_code ignored;
-  if (!std::filesystem::exists(calibration_file, ignored) ||
-      !std::filesystem::exists(angles_file, ignored)) {
+  if (!isThere(folder / "calibration.json") || !isThere(folder / "angles_solved.csv")) {
     return std::optional<SightEvidence>();
   }
-  const auto calibration = readCalibration(calibration_file);
-  if (!calibration) return calibration.error();
-  if (!calibration->cam_from_table) {
-    return Error{
-        Error::Code::kInvalidInput,
-        "The calibration \"" + calibration_file.string() + "\" does not say where the table is.",
-        "Reconstruct with a calibration that was made on the turning table."};
-  }
-  const auto angles = readAngleList(angles_file);
-  if (!angles) return angles.error();
+  const auto views = readResultViews(folder);
+  if (!views) return views.error();
   std::vector<double> angles_rad;
-  for (const PictureAngle& each : *angles) angles_rad.push_back(each.angle_rad);
+  for (const PictureAngle& each : views->angles) angles_rad.push_back(each.angle_rad);
   Silhouettes silhouettes;
-  if (const auto file = folder / "silhouettes.bin"; std::filesystem::exists(file, ignored)) {
+  if (const auto file = folder / "silhouettes.bin"; isThere(file)) {
     auto read = readSilhouettes(file);
     if (!read) return read.error();
     silhouettes = std::move(*read);
   }
-  return std::optional(sightsOf(*calibration, angles_rad, silhouettes, cloud));
+  return std::optional(sightsOf(views->calibration, angles_rad, silhouettes, cloud));
 }
 
 }  // namespace gyre

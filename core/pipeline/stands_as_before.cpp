@@ -9,6 +9,7 @@
 #include "core/base/formatted.h"
 #include "core/base/median.h"
 #include "core/base/units.h"
+#include "core/pipeline/match_pictures.h"
 #include "core/recover/turn_steps.h"
 #include "core/track/common_motion.h"
 #include "core/track/grey_pyramid.h"
@@ -63,17 +64,6 @@ Moved compare(const StillPatches& patches, const cv::Mat& now_bgr) {
     if ((each.moved - expected).norm() > still_px) ++moved.displaced;
   }
   return moved;
-}
-
-std::vector<ViewMatch> undistorted(const CameraModel& camera,
-                                   const std::vector<PixelMatch>& pixels) {
-  std::vector<ViewMatch> matches;
-  matches.reserve(pixels.size());
-  for (const PixelMatch& each : pixels) {
-    matches.push_back(
-        {camera.normalizedFromPixel(each.first), camera.normalizedFromPixel(each.second)});
-  }
-  return matches;
 }
 
 // How far the table turned from one view to another; nothing when that cannot be told.

@@ -8,12 +8,13 @@
 
 #include <chrono>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/base/check.h"
+#include "tests/support/loopback.h"
 
 namespace gyre::test {
 namespace {
@@ -42,15 +43,7 @@ std::vector<unsigned char> jpegOf(const cv::Mat& picture) {
 
 MjpegServer::MjpegServer(std::function<cv::Mat(int)> picture, double frames_per_s)
     : picture_(std::move(picture)), interval_s_(1.0 / frames_per_s) {
-  listener_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof(address);
-  auto* generic = reinterpret_cast<sockaddr*>(&address);
-  GYRE_CHECK(bind(listener_, generic, size) == 0 && listen(listener_, 4) == 0);
-  GYRE_CHECK(getsockname(listener_, generic, &size) == 0);
-  port_ = ntohs(address.sin_port);
+  std::tie(listener_, port_) = listenOnLoopback();
   thread_ = std::jthread([this](const std::stop_token& stop) { serve(stop); });
 }
 

@@ -9,9 +9,10 @@
 #include <algorithm>
 #include <chrono>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
-#include "core/base/check.h"
+#include "tests/support/loopback.h"
 
 namespace gyre::test {
 namespace {
@@ -168,15 +169,7 @@ std::vector<std::uint16_t> choicesOf(std::uint16_t code) {
 PtpIpCamera::PtpIpCamera(std::function<Bytes(int)> picture)
     : picture_(std::move(picture)),
       properties_{{kWhiteBalance, 4}, {kFNumber, 800}, {kFocusMode, 2}, {kProgram, 1}} {
-  listener_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof(address);
-  auto* generic = reinterpret_cast<sockaddr*>(&address);
-  GYRE_CHECK(bind(listener_, generic, size) == 0 && listen(listener_, 4) == 0);
-  GYRE_CHECK(getsockname(listener_, generic, &size) == 0);
-  port_ = ntohs(address.sin_port);
+  std::tie(listener_, port_) = listenOnLoopback();
   thread_ = std::jthread([this](const std::stop_token& stop) { serve(stop); });
 }
 
