@@ -5,9 +5,12 @@
 #include <cmath>
 #include <map>
 
+#include <Eigen/Geometry>
+
 #include "core/base/check.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/base/units.h"
 #include "core/sim/object_models.h"
 
 namespace gyre {
@@ -60,6 +63,27 @@ Mesh modelMesh(const ObjectModel& model) {
   return meshOfImplicit(model.distance, model.box, boundsOf(rough).diagonal() * kCellOfSize);
 }
 
+// Turns the object that stands upright as the settings say, and sets it down about the same place.
+// Gives upright_from_table: exactly nothing where nothing is turned.
+Rigid3 lay(Mesh& mesh, const RigSettings& rig) {
+  Rigid3 table_from_upright;
+  if (rig.object_roll_deg == 0.0 && rig.object_yaw_deg == 0.0) return table_from_upright;
+  table_from_upright.rotation =
+      (Eigen::AngleAxisd(radFromDeg(rig.object_yaw_deg), Eigen::Vector3d::UnitZ()) *
+       Eigen::AngleAxisd(radFromDeg(rig.object_roll_deg), Eigen::Vector3d::UnitX()))
+          .toRotationMatrix();
+  for (MeshVertex& vertex : mesh.vertices) {
+    vertex.position = table_from_upright.rotation * vertex.position;
+    vertex.normal = table_from_upright.rotation * vertex.normal;
+  }
+  const Bounds bounds = boundsOf(mesh);
+  const Eigen::Vector3d middle = 0.5 * (bounds.min + bounds.max);
+  const Eigen::Vector2d place = objectOffsetInTable(rig) - middle.head<2>();
+  table_from_upright.translation = {place.x(), place.y(), -bounds.min.z()};
+  for (MeshVertex& vertex : mesh.vertices) vertex.position += table_from_upright.translation;
+  return table_from_upright.inverse();
+}
+
 // In [-1, 1], steep in the middle: strong contrast without clipping.
 float softClip(float x) { return x / std::sqrt(1.0F + x * x); }
 
@@ -80,11 +104,12 @@ SimObject::SimObject(const RigSettings& rig)
   model_per_mm_ = 1.0 / mm_per_model;
   Eigen::Vector3d foot = 0.5 * (bounds.min + bounds.max);
   foot.z() = bounds.min.z();
-  origin_in_table_ = -mm_per_model * foot;
-  origin_in_table_.head<2>() += objectOffsetInTable(rig);
+  origin_in_upright_ = -mm_per_model * foot;
+  origin_in_upright_.head<2>() += objectOffsetInTable(rig);
   for (MeshVertex& vertex : mesh_.vertices) {
-    vertex.position = mm_per_model * vertex.position + origin_in_table_;
+    vertex.position = mm_per_model * vertex.position + origin_in_upright_;
   }
+  upright_from_table_ = lay(mesh_, rig);
   parallelFor(mesh_.vertices.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       MeshVertex& vertex = mesh_.vertices[i];
@@ -99,12 +124,15 @@ SimObject::SimObject(const RigSettings& rig)
 }
 
 Eigen::Vector3f SimObject::paintAt(const Eigen::Vector3d& point_in_table) const {
-  return paint_of_model_(model_per_mm_ * (point_in_table - origin_in_table_));
+  return paint_of_model_(model_per_mm_ *
+                         (upright_from_table_ * point_in_table - origin_in_upright_));
 }
 
 Eigen::Vector3f SimObject::albedo(const Eigen::Vector3f& paint,
                                   const Eigen::Vector3f& point_in_table) const {
-  const Eigen::Array4f noise = contrast_ * texture_.at(point_in_table);
+  const Eigen::Vector3f point_in_upright =
+      (upright_from_table_ * point_in_table.cast<double>()).cast<float>();
+  const Eigen::Array4f noise = contrast_ * texture_.at(point_in_upright);
   const float bright = 0.66F + 0.34F * softClip(1.2F * noise[0]);
   const Eigen::Array3f tint(softClip(noise[1]), softClip(noise[2]), softClip(noise[3]));
   return (paint.array() * bright + 0.1F * tint).max(0.02F).min(1.0F).matrix();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/rigid3.h"
 #include "core/scan/mesh.h"
 #include "core/sim/rig.h"
 #include "core/sim/solid_texture.h"
@@ -19,6 +20,10 @@ class SimObject {
   // object of 80 mm; with normals and colours.
   const Mesh& mesh() const { return mesh_; }
 
+  // Where the object would stand if it had not been turned (object_roll_deg, object_yaw_deg): two
+  // settings that differ in these alone are two ways to lay one and the same object on the table.
+  const Rigid3& uprightFromTable() const { return upright_from_table_; }
+
   // Ground colour without texture at a surface point, RGB in [0, 1].
   Eigen::Vector3f paintAt(const Eigen::Vector3d& point_in_table) const;
 
@@ -31,7 +36,8 @@ class SimObject {
   SolidTexture texture_;
   float contrast_ = 1.0F;
   double model_per_mm_ = 1.0;
-  Eigen::Vector3d origin_in_table_ = Eigen::Vector3d::Zero();  // of the model's frame
+  Rigid3 upright_from_table_;
+  Eigen::Vector3d origin_in_upright_ = Eigen::Vector3d::Zero();  // of the model's frame
 };
 
 }  // namespace gyre

@@ -20,6 +20,8 @@ struct RigSettings {
   std::string material = "matte";  // matte, or glossy: Phong, exponent 30, ks 0.3
   double object_size_mm = 80.0;    // diagonal of the object's bounding box
   double object_offset_mm = 5.0;   // from the axis, in a direction that the seed chooses
+  double object_roll_deg = 0.0;    // turned over about the table's x axis: 180 = upside down
+  double object_yaw_deg = 0.0;     // then turned about the upright, counter-clockwise
   double texture_finest_mm = 0.75;
   double texture_contrast = 1.0;
 
@@ -109,6 +111,10 @@ void RigSettings::describe(V& visit) {
   visit({"material", "", 0, 0, "How its surface shines: matte or glossy."}, material);
   visit({"object-size", "mm", 5, 500, "Diagonal of its bounding box."}, object_size_mm);
   visit({"object-offset", "mm", 0, 100, "How far off the axis it stands."}, object_offset_mm);
+  visit({"object-roll", "deg", -180, 180, "How far it is turned over; 180 is upside down."},
+        object_roll_deg);
+  visit({"object-yaw", "deg", -180, 180, "How far it is turned about the upright, after that."},
+        object_yaw_deg);
   visit({"texture-finest", "mm", 0.05, 20, "Wavelength of the finest texture."}, texture_finest_mm);
   visit({"texture-contrast", "", 0, 1, "Strength of the texture."}, texture_contrast);
   visit({"target", "", 0, 0, "Calibration target on the table: a file or a name."}, target);

@@ -127,6 +127,30 @@ TEST(Objects, AreTheSameEachTime) {
   }
 }
 
+TEST(Objects, AreTheSameObjectHoweverTheyLie) {
+  RigSettings rig;
+  const SimObject upright(rig);
+  rig.object_roll_deg = 180.0;
+  rig.object_yaw_deg = 35.0;
+  const SimObject turned(rig);
+  ASSERT_EQ(turned.mesh().vertices.size(), upright.mesh().vertices.size());
+  const Bounds bounds = boundsOf(turned.mesh());
+  EXPECT_NEAR(bounds.min.z(), 0.0, 1e-9);
+  EXPECT_NEAR((0.5 * (bounds.min + bounds.max).head<2>() - objectOffsetInTable(rig)).norm(), 0.0,
+              1e-9);
+  for (std::size_t i = 0; i < upright.mesh().vertices.size(); i += 97) {
+    const MeshVertex& was = upright.mesh().vertices[i];
+    const MeshVertex& is = turned.mesh().vertices[i];
+    EXPECT_LT((turned.uprightFromTable() * is.position - was.position).norm(), 1e-9);
+    EXPECT_LT((turned.uprightFromTable().rotation * is.normal - was.normal).norm(), 1e-9);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const Eigen::Vector3f paint = turned.paintAt(is.position);
+      EXPECT_NEAR(turned.albedo(paint, is.position.cast<float>())[static_cast<int>(channel)],
+                  static_cast<float>(was.rgb[channel]) / 255.0F, 0.004F);
+    }
+  }
+}
+
 TEST(Objects, CubeIsACube) {
   RigSettings rig;
   rig.object = "cube";
