@@ -176,6 +176,14 @@ void addCompare(CLI::App& app, Run& chosen) {
       ->add_option("--scale", words->options.scale_mm,
                    "Where colours and histogram end, in mm; without it by the distances")
       ->check(CLI::Range(1e-6, 1e6));
+  command
+      ->add_option("--seen-by", words->options.min_views_seen,
+                   "Only surface of the reference that so many views saw counts: truth.ply tells")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--above", words->options.min_height_mm,
+                   "Only what of the result lies higher counts, in mm: leaves the platter out")
+      ->check(CLI::Range(-1e6, 1e6));
   command->add_flag("--align", words->align, "Move and turn the result to fit first");
   command->callback([&chosen, words] {
     chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };
