@@ -61,7 +61,7 @@ PointCloud cloudOf(const Mesh& mesh) {
 }
 
 std::vector<cv::Mat> sidesOf(const Mesh& coloured, const Bounds& bounds) {
-  std::vector<ModelView> views;
+  std::vector<PosedCamera> views;
   views.reserve(kSides.size());
   for (const auto& [name, azimuth_deg] : kSides) {
     views.push_back(viewOf(bounds, radFromDeg(azimuth_deg), kElevation_rad, kSide_px));
@@ -72,8 +72,8 @@ std::vector<cv::Mat> sidesOf(const Mesh& coloured, const Bounds& bounds) {
   const PointCloud cloud = cloudOf(coloured);
   std::vector<cv::Mat> pictures;
   pictures.reserve(views.size());
-  for (const ModelView& view : views) {
-    pictures.push_back(pictureOfPoints(cloud, view.camera, view.cam_from_table));
+  for (const PosedCamera& view : views) {
+    pictures.push_back(pictureOfPoints(cloud, view.intrinsics, view.cam_from_table));
   }
   return pictures;
 }

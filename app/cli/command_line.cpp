@@ -27,7 +27,7 @@ void addLoudness(CLI::App& command, Loudness& loudness) {
 
 void addSubcommands(CLI::App& app, Loudness& loudness, Run& chosen) {
   for (const auto& add : {addDemo, addScan, addResume, addCalibrate, addReconstruct, addMesh,
-                          addMeasure, addReport, addExport, addCompare, addReproduce,
+                          addMerge, addMeasure, addReport, addExport, addCompare, addReproduce,
                           addPrintTarget, addDevices, addBundle, addSimFirmware}) {
     add(app, chosen);
   }

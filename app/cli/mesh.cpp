@@ -74,14 +74,10 @@ Result<MeshRequest> requestOf(const Words& words) {
 // Where the vertices are not the points, or where it is asked for, the pictures tell the colours.
 Result<void> colour(Mesh& mesh, const Words& words, MeshMethod method, const MeshInput& input,
                     const Task& task) {
-  std::vector<std::filesystem::path> folders;
-  if (!words.pictures.empty()) {
-    folders = {words.pictures};
-  } else if (method == MeshMethod::kSilhouette && !firstPictureOf(input.folder).empty()) {
-    folders = pictureFoldersOf(input.folder);
-  }
-  if (folders.empty()) return {};
-  const auto coloured = colourFromPictures(mesh, input.folder, folders, task);
+  const bool found = method == MeshMethod::kSilhouette && !firstPictureOf(input.folder).empty();
+  if (words.pictures.empty() && !found) return {};
+  const PictureFinder pictures(input.folder, words.pictures);
+  const auto coloured = colourFromPictures(mesh, input.folder, pictures, task);
   if (!coloured) return coloured.error();
   return {};
 }

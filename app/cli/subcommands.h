@@ -24,6 +24,7 @@ void addDemo(CLI::App& app, Run& chosen);
 void addDevices(CLI::App& app, Run& chosen);
 void addExport(CLI::App& app, Run& chosen);
 void addMeasure(CLI::App& app, Run& chosen);
+void addMerge(CLI::App& app, Run& chosen);
 void addMesh(CLI::App& app, Run& chosen);
 void addPrintTarget(CLI::App& app, Run& chosen);
 void addReconstruct(CLI::App& app, Run& chosen);

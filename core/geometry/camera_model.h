@@ -43,6 +43,8 @@ struct CameraModel {
   // Unit direction, in the camera frame, in which the pixel looks.
   Eigen::Vector3d rayInCam(const Eigen::Vector2d& pixel) const;
 
+  bool operator==(const CameraModel&) const = default;
+
   bool contains(const Eigen::Vector2d& pixel, double margin_px = 0.0) const;
 };
 

@@ -33,17 +33,25 @@ std::string listText(std::initializer_list<double> numbers) {
   return text;
 }
 
-std::string camerasText(const CameraModel& camera) {
+std::string cameraText(const CameraModel& camera) {
   const bool full = camera.k3 != 0.0;
-  std::string text =
-      "# Camera list with one line of data per camera:\n"
-      "#   CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n# Number of cameras: 1\n1 ";
-  text += (full ? "FULL_OPENCV " : "OPENCV ") + std::to_string(camera.width_px) + " " +
-          std::to_string(camera.height_px) + " ";
+  std::string text = (full ? "FULL_OPENCV " : "OPENCV ") + std::to_string(camera.width_px) + " " +
+                     std::to_string(camera.height_px) + " ";
   text += listText({camera.fx, camera.fy, camera.cx + kPixelCentre, camera.cy + kPixelCentre,
                     camera.k1, camera.k2, camera.p1, camera.p2});
   if (full) text += " " + listText({camera.k3, 0.0, 0.0, 0.0});
   return text + "\n";
+}
+
+std::string camerasText(const std::vector<CameraModel>& cameras) {
+  std::string text =
+      "# Camera list with one line of data per camera:\n"
+      "#   CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n# Number of cameras: " +
+      std::to_string(cameras.size()) + "\n";
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    text += std::to_string(i + 1) + " " + cameraText(cameras[i]);
+  }
+  return text;
 }
 
 Tracks tracksOf(const PosedPictures& posed) {
@@ -76,8 +84,9 @@ std::string imagesText(const PosedPictures& posed, const Tracks& tracks) {
     Eigen::Quaterniond turn(pose.rotation);
     if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
     text += std::to_string(i + 1) + " " + listText({turn.w(), turn.x(), turn.y(), turn.z()}) + " " +
-            listText({pose.translation.x(), pose.translation.y(), pose.translation.z()}) + " 1 " +
-            posed.pictures[i].name + "\n" + tracks.points_of_image[i] + "\n";
+            listText({pose.translation.x(), pose.translation.y(), pose.translation.z()}) + " " +
+            std::to_string(posed.pictures[i].camera + 1) + " " + posed.pictures[i].name + "\n" +
+            tracks.points_of_image[i] + "\n";
   }
   return text;
 }
@@ -90,8 +99,9 @@ std::string errorText(const PosedPictures& posed, std::size_t point) {
   for (const Observation& seen : posed.sightings[point]) {
     const auto image = static_cast<std::size_t>(seen.view);
     if (image >= posed.pictures.size()) continue;
-    const auto pixel = posed.camera.project(posed.pictures[image].cam_from_table *
-                                            posed.cloud.points[point].position);
+    const PosedPicture& picture = posed.pictures[image];
+    const auto pixel = posed.cameras[picture.camera].project(picture.cam_from_table *
+                                                             posed.cloud.points[point].position);
     if (!pixel) continue;
     sum_px += (*pixel - seen.pixel).norm();
     ++count;
@@ -122,7 +132,9 @@ std::string pointsText(const PosedPictures& posed, const Tracks& tracks) {
 }  // namespace
 
 Result<void> writeColmapModel(const std::filesystem::path& folder, const PosedPictures& posed) {
-  if (const auto fits = checkSkew(posed.camera); !fits) return fits;
+  for (const CameraModel& camera : posed.cameras) {
+    if (const auto fits = checkSkew(camera); !fits) return fits;
+  }
   for (const PosedPicture& picture : posed.pictures) {
     if (picture.name.find_first_of(" \t\n\r") != std::string::npos) {
       return Error{Error::Code::kInvalidInput,
@@ -132,7 +144,7 @@ Result<void> writeColmapModel(const std::filesystem::path& folder, const PosedPi
     }
   }
   const Tracks tracks = tracksOf(posed);
-  if (auto done = writeFileAtomically(folder / "cameras.txt", camerasText(posed.camera)); !done) {
+  if (auto done = writeFileAtomically(folder / "cameras.txt", camerasText(posed.cameras)); !done) {
     return done;
   }
   if (auto done = writeFileAtomically(folder / "images.txt", imagesText(posed, tracks)); !done) {

@@ -72,20 +72,23 @@ Result<void> checkSkew(const CameraModel& camera) {
 }
 
 Result<std::string> transformsText(const PosedPictures& posed) {
-  if (const auto fits = checkSkew(posed.camera); !fits) return fits.error();
+  for (const CameraModel& camera : posed.cameras) {
+    if (const auto fits = checkSkew(camera); !fits) return fits.error();
+  }
   ordered_json root;
   root["comment"] =
       "Written by Gyre. Positions are millimetres in the turntable's frame: z up along the axis, "
       "the "
       "object at rest, the cameras around it. transform_matrix: from x right, y up, z backwards.";
   root["unit"] = "mm";
-  addCamera(posed.camera, root);
+  if (!posed.cameras.empty()) addCamera(posed.cameras.front(), root);
   addCube(posed.cloud, root);
   root["frames"] = ordered_json::array();
   for (const PosedPicture& picture : posed.pictures) {
     ordered_json frame;
     frame["file_path"] = "images/" + picture.name;
     if (!picture.mask.empty()) frame["mask_path"] = "masks/" + picture.mask;
+    if (posed.cameras.size() > 1) addCamera(posed.cameras[picture.camera], frame);
     frame["transform_matrix"] = matrixJson(picture.cam_from_table);
     root["frames"].push_back(std::move(frame));
   }

@@ -18,12 +18,11 @@ struct Seen {
   double inverse_depth = 0.0;  // 0: not seen
 };
 
-std::vector<Seen> projected(const Mesh& mesh, const CameraModel& camera,
-                            const Rigid3& cam_from_table, int shrink) {
+std::vector<Seen> projected(const Mesh& mesh, const PosedCamera& camera, int shrink) {
   std::vector<Seen> seen(mesh.vertices.size());
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const Eigen::Vector3d in_cam = cam_from_table * mesh.vertices[i].position;
-    const auto pixel = camera.project(in_cam);
+    const Eigen::Vector3d in_cam = camera.cam_from_table * mesh.vertices[i].position;
+    const auto pixel = camera.intrinsics.project(in_cam);
     if (!pixel) continue;
     seen[i] = {(*pixel + Eigen::Vector2d::Constant(0.5)) / shrink - Eigen::Vector2d::Constant(0.5),
                1.0 / in_cam.z()};
@@ -63,12 +62,11 @@ void fill(const std::array<Seen, 3>& corner, cv::Mat& depth) {
 
 }  // namespace
 
-cv::Mat depthMap(const Mesh& mesh, const CameraModel& camera, const Rigid3& cam_from_table,
-                 int shrink) {
+cv::Mat depthMap(const Mesh& mesh, const PosedCamera& camera, int shrink) {
   GYRE_CHECK(shrink >= 1);
-  cv::Mat depth(camera.height_px / shrink, camera.width_px / shrink, CV_32F,
+  cv::Mat depth(camera.intrinsics.height_px / shrink, camera.intrinsics.width_px / shrink, CV_32F,
                 cv::Scalar(std::numeric_limits<float>::infinity()));
-  const std::vector<Seen> seen = projected(mesh, camera, cam_from_table, shrink);
+  const std::vector<Seen> seen = projected(mesh, camera, shrink);
   for (const auto& [a, b, c] : mesh.triangles) {
     if (seen[a].inverse_depth <= 0.0 || seen[b].inverse_depth <= 0.0 ||
         seen[c].inverse_depth <= 0.0) {

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/camera_model.h"
-#include "core/geometry/rigid3.h"
+#include "core/geometry/posed_camera.h"
 #include "core/scan/frame.h"
 #include "core/scan/mesh.h"
 
@@ -13,7 +12,6 @@ namespace gyre {
 // factor; infinite where there is none. 32 bit floats. Triangles with a corner that the camera
 // cannot see are left out; lens distortion bends corners, not edges, which is nothing for triangles
 // of a scan. Thread: any.
-cv::Mat depthMap(const Mesh& mesh, const CameraModel& camera, const Rigid3& cam_from_table,
-                 int shrink);
+cv::Mat depthMap(const Mesh& mesh, const PosedCamera& camera, int shrink);
 
 }  // namespace gyre

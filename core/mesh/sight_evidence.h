@@ -6,16 +6,15 @@
 
 #include <Eigen/Core>
 
-#include "core/geometry/camera_model.h"
+#include "core/geometry/posed_camera.h"
 #include "core/geometry/ray.h"
-#include "core/geometry/rigid3.h"
 #include "core/scan/frame.h"
 
 namespace gyre {
 
 // The object in one picture, and where the camera stood.
 struct Outline {
-  Rigid3 cam_from_table;
+  PosedCamera camera;
   cv::Mat mask;  // as a Silhouette's
 };
 
@@ -26,7 +25,6 @@ struct SightEvidence {
   // each picture, all from its camera. An outline may be wrong, so each picture counts once
   // wherever it speaks.
   std::vector<std::vector<Ray>> background;
-  CameraModel camera;
   std::vector<Outline> outlines;
 };
 

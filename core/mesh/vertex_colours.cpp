@@ -52,20 +52,19 @@ Rgb colourAt(const cv::Mat& image_bgr, const Eigen::Vector2d& pixel) {
 // One camera's look at the surface.
 class Look {
  public:
-  Look(const Mesh& mesh, const CameraModel& camera, const Rigid3& cam_from_table, cv::Mat image_bgr)
+  Look(const Mesh& mesh, const PosedCamera& camera, cv::Mat image_bgr)
       : camera_(camera),
-        cam_from_table_(cam_from_table),
-        centre_(cam_from_table.inverse().translation),
-        shrink_(std::max(1, camera.width_px / kDepthWidth_px)),
-        depth_(depthMap(mesh, camera, cam_from_table, shrink_)),
+        centre_(camera.centreInTable()),
+        shrink_(std::max(1, camera.intrinsics.width_px / kDepthWidth_px)),
+        depth_(depthMap(mesh, camera, shrink_)),
         image_bgr_(std::move(image_bgr)) {}
 
   Sample at(const MeshVertex& vertex) const {
     const double cosine = vertex.normal.dot((centre_ - vertex.position).normalized());
     if (cosine < std::cos(radFromDeg(kSteepest_deg))) return {};
-    const Eigen::Vector3d in_cam = cam_from_table_ * vertex.position;
-    const auto pixel = camera_.project(in_cam);
-    if (!pixel || !camera_.contains(*pixel, 2.0)) return {};
+    const Eigen::Vector3d in_cam = camera_.cam_from_table * vertex.position;
+    const auto pixel = camera_.intrinsics.project(in_cam);
+    if (!pixel || !camera_.intrinsics.contains(*pixel, 2.0)) return {};
     if (hidden(*pixel, in_cam.z(), cosine)) return {};
     return {colourAt(image_bgr_, *pixel),
             static_cast<std::uint8_t>(std::max(1L, std::lround(255.0 * cosine)))};
@@ -74,7 +73,7 @@ class Look {
  private:
   // Something lies nearer at the pixel or right beside it, by more than the surface's own slant.
   bool hidden(const Eigen::Vector2d& pixel, double depth_mm, double cosine) const {
-    const double mm_a_pixel = shrink_ * depth_mm / camera_.fx;
+    const double mm_a_pixel = shrink_ * depth_mm / camera_.intrinsics.fx;
     const double slant_mm = 2.0 * mm_a_pixel * std::sqrt(1.0 - cosine * cosine) / cosine;
     const double tolerance_mm = slant_mm + 2.0 * mm_a_pixel;
     const auto x = static_cast<int>(std::lround((pixel.x() + 0.5) / shrink_ - 0.5));
@@ -87,8 +86,7 @@ class Look {
     return false;
   }
 
-  const CameraModel& camera_;
-  const Rigid3& cam_from_table_;
+  const PosedCamera& camera_;
   Eigen::Vector3d centre_;  // of the camera, in the table frame
   int shrink_;
   cv::Mat depth_;
@@ -155,23 +153,23 @@ Error otherSize() {
 
 }  // namespace
 
-Result<std::size_t> colourVertices(Mesh& mesh, const CameraModel& camera,
-                                   std::span<const Rigid3> cam_from_table,
+Result<std::size_t> colourVertices(Mesh& mesh, std::span<const PosedCamera> cameras,
                                    const PictureOfView& picture_of, const Task& task) {
-  const std::size_t asked = std::min(kPicturesAsked, cam_from_table.size());
+  const std::size_t asked = std::min(kPicturesAsked, cameras.size());
   std::vector<Sample> samples(asked * mesh.vertices.size());
   for (std::size_t i = 0; i < asked; ++i) {
     if (task.stopRequested()) return cancelled();
     task.report(static_cast<double>(i) / static_cast<double>(asked),
                 "Taking colours from pictures");
-    const std::size_t view = i * cam_from_table.size() / asked;
+    const std::size_t view = i * cameras.size() / asked;
     auto image_bgr = picture_of(view);
     if (!image_bgr) return image_bgr.error();
-    if (image_bgr->cols != camera.width_px || image_bgr->rows != camera.height_px ||
+    const CameraModel& intrinsics = cameras[view].intrinsics;
+    if (image_bgr->cols != intrinsics.width_px || image_bgr->rows != intrinsics.height_px ||
         image_bgr->type() != CV_8UC3) {
       return otherSize();
     }
-    const Look look(mesh, camera, cam_from_table[view], std::move(*image_bgr));
+    const Look look(mesh, cameras[view], std::move(*image_bgr));
     parallelFor(mesh.vertices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) {
         samples[v * asked + i] = look.at(mesh.vertices[v]);

@@ -8,14 +8,13 @@
 
 #include "core/base/result.h"
 #include "core/base/task.h"
-#include "core/geometry/camera_model.h"
-#include "core/geometry/rigid3.h"
+#include "core/geometry/posed_camera.h"
 #include "core/scan/frame.h"
 #include "core/scan/mesh.h"
 
 namespace gyre {
 
-// The picture of one of the views, 8 bit BGR, of the camera's size.
+// The picture of one of the views, 8 bit BGR, of its camera's size.
 using PictureOfView = std::function<Result<cv::Mat>(std::size_t view)>;
 
 // Each vertex gets the weighted median of its colours in the pictures that show it unhidden and at
@@ -26,8 +25,7 @@ using PictureOfView = std::function<Result<cv::Mat>(std::size_t view)>;
 // and views of the vertices; their normals must be known. Gives how many vertices pictures showed.
 // Fails when a picture cannot be had or is of another size, or when stopped; the mesh is then as it
 // was.
-Result<std::size_t> colourVertices(Mesh& mesh, const CameraModel& camera,
-                                   std::span<const Rigid3> cam_from_table,
+Result<std::size_t> colourVertices(Mesh& mesh, std::span<const PosedCamera> cameras,
                                    const PictureOfView& picture_of, const Task& task);
 
 // Each vertex gets the colour of the nearest point of the cloud, which is not empty.

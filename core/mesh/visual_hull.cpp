@@ -40,9 +40,8 @@ constexpr DistanceStretch kStretch = {.outside = 1.3, .inside = 1.3};
 // How far a place lies from the object's outline in one picture.
 class OutlineDistance {
  public:
-  OutlineDistance(const Outline& outline, const CameraModel& camera)
-      : cam_from_table_(outline.cam_from_table), camera_(&camera) {
-    shrunk_ = shrinkOf(outline.mask, camera.width_px);
+  explicit OutlineDistance(const Outline& outline) : camera_(outline.camera) {
+    shrunk_ = shrinkOf(outline.mask, camera_.intrinsics.width_px);
     cv::Mat outside;
     cv::Mat inside;
     cv::distanceTransform(outline.mask == 0, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
@@ -58,15 +57,15 @@ class OutlineDistance {
 
   // Of a place in the table frame, in mm there; nothing when the picture does not show it.
   std::optional<double> at(const Eigen::Vector3d& place_in_table) const {
-    const Eigen::Vector3d place_in_cam = cam_from_table_ * place_in_table;
-    const auto pixel = camera_->project(place_in_cam);
+    const Eigen::Vector3d place_in_cam = camera_.cam_from_table * place_in_table;
+    const auto pixel = camera_.intrinsics.project(place_in_cam);
     if (!pixel) return std::nullopt;
     const double x = (pixel->x() + 0.5) / shrunk_ - 0.5;
     const double y = (pixel->y() + 0.5) / shrunk_ - 0.5;
     if (x < 0.0 || y < 0.0 || x >= distance_px_.cols - 1 || y >= distance_px_.rows - 1) {
       return std::nullopt;
     }
-    const double mm_a_pixel = shrunk_ * place_in_cam.z() / camera_->fx;
+    const double mm_a_pixel = shrunk_ * place_in_cam.z() / camera_.intrinsics.fx;
     return between(x, y) * mm_a_pixel;
   }
 
@@ -82,8 +81,7 @@ class OutlineDistance {
            down * ((1.0 - right) * lower[0] + right * lower[1]);
   }
 
-  Rigid3 cam_from_table_;
-  const CameraModel* camera_;
+  PosedCamera camera_;
   double shrunk_ = 1.0;
   cv::Mat distance_px_;  // positive outside, in the mask's pixels
 };
@@ -96,7 +94,7 @@ class HullDistance {
     std::vector<std::optional<OutlineDistance>> made(evidence.outlines.size());
     parallelFor(made.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        made[i].emplace(evidence.outlines[i], evidence.camera);
+        made[i].emplace(evidence.outlines[i]);
       }
     });
     for (auto& each : made) outlines_.push_back(std::move(*each));
@@ -131,7 +129,7 @@ class HullDistance {
 Eigen::AlignedBox3d whereItMayBe(const SightEvidence& evidence) {
   double reach_mm = 0.0;
   for (const Outline& outline : evidence.outlines) {
-    const Eigen::Vector3d centre = outline.cam_from_table.inverse().translation;
+    const Eigen::Vector3d centre = outline.camera.centreInTable();
     reach_mm = std::max(reach_mm, centre.norm());
   }
   return {Eigen::Vector3d(-reach_mm, -reach_mm, 0.0),
@@ -225,9 +223,10 @@ Result<void> mendOutlines(SightEvidence& evidence, double disbelieved_share,
   parallelFor(evidence.outlines.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !task.stopRequested(); ++i) {
       Outline& outline = evidence.outlines[i];
-      const int shrink = static_cast<int>(shrinkOf(outline.mask, evidence.camera.width_px));
-      const cv::Mat shown = depthMap(core, evidence.camera, outline.cam_from_table, shrink) <
-                            std::numeric_limits<float>::max();
+      const int shrink =
+          static_cast<int>(shrinkOf(outline.mask, outline.camera.intrinsics.width_px));
+      const cv::Mat shown =
+          depthMap(core, outline.camera, shrink) < std::numeric_limits<float>::max();
       cv::Mat mended = outline.mask.clone();
       const cv::Rect common(
           {}, cv::Size(std::min(shown.cols, mended.cols), std::min(shown.rows, mended.rows)));
@@ -261,7 +260,6 @@ Result<VisualHullMesh> visualHull(const SightEvidence& evidence, const VisualHul
   }
   task.report(0.0, "Looking for the object in its outlines");
   SightEvidence mended;
-  mended.camera = evidence.camera;
   mended.outlines = evidence.outlines;
   closeBites(mended, options.gap_share);
   const double most_share = std::min(kMendingTimes.front() * options.disbelieved_share, 0.5);

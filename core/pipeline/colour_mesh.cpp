@@ -6,19 +6,17 @@
 
 #include "core/io/picture_file.h"
 #include "core/mesh/vertex_colours.h"
-#include "core/pipeline/result_pictures.h"
 #include "core/pipeline/result_views.h"
 
 namespace gyre {
 
 Result<std::size_t> colourFromPictures(Mesh& mesh, const std::filesystem::path& folder,
-                                       const std::vector<std::filesystem::path>& pictures,
-                                       const Task& task) {
+                                       const PictureFinder& pictures, const Task& task) {
   const auto views = readResultViews(folder);
   if (!views) return views.error();
   const auto picture_of = [&](std::size_t view) -> Result<cv::Mat> {
-    const std::string& name = views->angles[view].picture;
-    const std::filesystem::path file = findPicture(pictures, name);
+    const std::string& name = (*views)[view].picture;
+    const std::filesystem::path file = pictures.find(name);
     if (file.empty()) {
       return Error{Error::Code::kNotFound,
                    "The picture \"" + name + "\" that the result was made from is missing.",
@@ -28,7 +26,7 @@ Result<std::size_t> colourFromPictures(Mesh& mesh, const std::filesystem::path& 
     if (!frame) return frame.error();
     return std::move(frame->image_bgr);
   };
-  return colourVertices(mesh, views->calibration.camera, views->camFromTable(), picture_of, task);
+  return colourVertices(mesh, camerasOf(*views), picture_of, task);
 }
 
 }  // namespace gyre

@@ -4,20 +4,18 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <vector>
 
 #include "core/base/result.h"
 #include "core/base/task.h"
+#include "core/pipeline/result_pictures.h"
 #include "core/scan/mesh.h"
 
 namespace gyre {
 
-// The mesh is of the result in `folder`, whose calibration.json and angles_solved.csv say where
-// the camera stood and which pictures show what (colourVertices); each is taken from the first of
-// the folders that has it. Gives how many vertices pictures showed. Fails when a file or a picture
-// is missing or does not fit, or when stopped; the mesh is then as it was.
+// The mesh is of the result in `folder`, whose files say where the camera stood and which pictures
+// show what (readResultViews, colourVertices). Gives how many vertices pictures showed. Fails when
+// a file or a picture is missing or does not fit, or when stopped; the mesh is then as it was.
 Result<std::size_t> colourFromPictures(Mesh& mesh, const std::filesystem::path& folder,
-                                       const std::vector<std::filesystem::path>& pictures,
-                                       const Task& task);
+                                       const PictureFinder& pictures, const Task& task);
 
 }  // namespace gyre

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/export_pictures.h"
 
+#include <algorithm>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 Result<PosedPictures> readPosed(const fs::path& folder) {
   for (const char* name : {"points.ply", "calibration.json", "angles_solved.csv"}) {
     if (isThere(folder / name)) continue;
+    if (name != std::string("points.ply") && hasResultViews(folder)) continue;
     return Error{Error::Code::kNotFound,
                  "There is no " + std::string(name) + " in \"" + folder.string() + "\".",
                  "Name the folder of a finished scan or reconstruction; `gyre resume` finishes a "
@@ -36,10 +38,12 @@ Result<PosedPictures> readPosed(const fs::path& folder) {
   auto cloud = readPointCloud(folder / "points.ply");
   if (!cloud) return cloud.error();
   PosedPictures posed;
-  posed.camera = views->calibration.camera;
-  const std::vector<Rigid3> poses = views->camFromTable();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    posed.pictures.push_back({std::move(views->angles[i].picture), poses[i], {}});
+  for (ResultView& view : *views) {
+    const auto known =
+        std::find(posed.cameras.begin(), posed.cameras.end(), view.camera.intrinsics);
+    const auto camera = static_cast<std::size_t>(known - posed.cameras.begin());
+    if (known == posed.cameras.end()) posed.cameras.push_back(view.camera.intrinsics);
+    posed.pictures.push_back({std::move(view.picture), view.camera.cam_from_table, {}, camera});
   }
   posed.cloud = std::move(*cloud);
   if (const fs::path file = folder / "sightings.bin"; isThere(file)) {
@@ -67,12 +71,10 @@ Result<void> transferPicture(const fs::path& from, const fs::path& to, PictureTr
 
 Result<void> transferPictures(const ExportRequest& request, const PosedPictures& posed,
                               const Task& task) {
-  const std::vector<fs::path> folders = request.pictures.empty()
-                                            ? pictureFoldersOf(request.folder)
-                                            : std::vector<fs::path>{request.pictures};
+  const PictureFinder finder(request.folder, request.pictures);
   std::vector<fs::path> files;
   for (const PosedPicture& picture : posed.pictures) {
-    files.push_back(findPicture(folders, picture.name));
+    files.push_back(finder.find(picture.name));
     if (files.back().empty()) {
       return Error{Error::Code::kNotFound,
                    "The picture \"" + picture.name + "\" that the result was made from is missing.",
@@ -82,8 +84,9 @@ Result<void> transferPictures(const ExportRequest& request, const PosedPictures&
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (task.stopRequested()) return cancelled();
     task.report(static_cast<double>(i) / static_cast<double>(files.size()), "Copying pictures");
-    const auto done = transferPicture(files[i], request.out / "images" / posed.pictures[i].name,
-                                      request.transfer);
+    const fs::path to = request.out / "images" / posed.pictures[i].name;
+    if (const auto made = makeResultFolder(to.parent_path()); !made) return made;
+    const auto done = transferPicture(files[i], to, request.transfer);
     if (!done) return done;
   }
   return {};
@@ -107,9 +110,12 @@ Result<std::size_t> writeMasks(const ExportRequest& request, PosedPictures& pose
     PosedPicture& picture = posed.pictures[silhouette.view];
     picture.mask = picture.name + ".png";
     cv::Mat mask;
-    cv::resize(silhouette.mask, mask, {posed.camera.width_px, posed.camera.height_px}, 0.0, 0.0,
+    const CameraModel& camera = posed.cameras[picture.camera];
+    cv::resize(silhouette.mask, mask, {camera.width_px, camera.height_px}, 0.0, 0.0,
                cv::INTER_NEAREST);
-    const auto done = writePicture(request.out / "masks" / picture.mask, mask);
+    const fs::path to = request.out / "masks" / picture.mask;
+    if (auto made = makeResultFolder(to.parent_path()); !made) return made.error();
+    const auto done = writePicture(to, mask);
     if (!done) return done.error();
     ++written;
   }

@@ -69,10 +69,11 @@ Met metBy(const Mesh& mesh, const RayHit& hit) {
 // One picture of one surface.
 class SurfacePainter {
  public:
-  SurfacePainter(const Mesh& mesh, const RayScene& scene, const ModelView& view, SurfacePaint paint)
+  SurfacePainter(const Mesh& mesh, const RayScene& scene, const PosedCamera& view,
+                 SurfacePaint paint)
       : mesh_(mesh),
         scene_(scene),
-        camera_(view.camera),
+        camera_(view.intrinsics),
         table_from_cam_(view.cam_from_table.inverse()),
         light_(table_from_cam_.rotation * Eigen::Vector3d(-0.5, -0.7, -1.0).normalized()),
         paint_(paint) {}
@@ -128,9 +129,9 @@ class SurfacePainter {
 
 }  // namespace
 
-ModelView viewOf(const Bounds& bounds, double azimuth_rad, double elevation_rad, int size_px) {
-  ModelView view;
-  CameraModel& camera = view.camera;
+PosedCamera viewOf(const Bounds& bounds, double azimuth_rad, double elevation_rad, int size_px) {
+  PosedCamera view;
+  CameraModel& camera = view.intrinsics;
   camera.width_px = camera.height_px = size_px;
   camera.cx = camera.cy = 0.5 * (size_px - 1);
   const Eigen::Vector3d half = bounds.empty() ? Eigen::Vector3d(0.5, 0.5, 0.5)
@@ -158,11 +159,11 @@ ModelView viewOf(const Bounds& bounds, double azimuth_rad, double elevation_rad,
   return view;
 }
 
-std::vector<cv::Mat> picturesOfSurface(const Mesh& mesh, std::span<const ModelView> views,
+std::vector<cv::Mat> picturesOfSurface(const Mesh& mesh, std::span<const PosedCamera> views,
                                        SurfacePaint paint) {
   std::vector<cv::Mat> pictures;
-  for (const ModelView& view : views) {
-    pictures.emplace_back(view.camera.height_px, view.camera.width_px, CV_8UC3, kPaper);
+  for (const PosedCamera& view : views) {
+    pictures.emplace_back(view.intrinsics.height_px, view.intrinsics.width_px, CV_8UC3, kPaper);
   }
   if (mesh.triangles.empty()) return pictures;
   const RayScene scene(mesh);
@@ -181,7 +182,7 @@ std::vector<cv::Mat> picturesOfSurface(const Mesh& mesh, std::span<const ModelVi
 
 cv::Mat pictureOfSurface(const Mesh& mesh, const CameraModel& camera,
                          const Rigid3& cam_from_table) {
-  const ModelView view{camera, cam_from_table};
+  const PosedCamera view{camera, cam_from_table};
   return picturesOfSurface(mesh, {&view, 1}, SurfacePaint::kClay).front();
 }
 

@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/camera_model.h"
-#include "core/geometry/rigid3.h"
+#include "core/geometry/posed_camera.h"
 #include "core/scan/frame.h"
 #include "core/scan/mesh.h"
 #include "core/scan/point_cloud.h"
@@ -20,23 +19,17 @@ enum class SurfacePaint : std::uint8_t {
   kFigures,  // the vertices' own, which stand for numbers: little shading, from within as well
 };
 
-// From where a model is looked at.
-struct ModelView {
-  CameraModel camera;
-  Rigid3 cam_from_table;
-};
-
 // A square picture that holds all of the box, z up, from ten times its radius; boxes of one size
 // have one scale from every azimuth. Azimuth 0 looks from +x, where a scan's camera stands at table
 // angle 0; 90 degrees from +y.
-ModelView viewOf(const Bounds& bounds, double azimuth_rad, double elevation_rad, int size_px);
+PosedCamera viewOf(const Bounds& bounds, double azimuth_rad, double elevation_rad, int size_px);
 
 // The surface, lit from over the camera's left shoulder. 8 bit BGR, the camera's size, white where
 // there is nothing. Any thread.
 cv::Mat pictureOfSurface(const Mesh& mesh, const CameraModel& camera, const Rigid3& cam_from_table);
 
 // The same from several sides.
-std::vector<cv::Mat> picturesOfSurface(const Mesh& mesh, std::span<const ModelView> views,
+std::vector<cv::Mat> picturesOfSurface(const Mesh& mesh, std::span<const PosedCamera> views,
                                        SurfacePaint paint);
 
 // The points that face the camera, as dots in their colours, the nearer over the farther. Points

@@ -58,7 +58,7 @@ void addPhoto(const fs::path& folder, ReportFacts& facts) {
 }
 
 void addSides(const Model& model, ReportFacts& facts) {
-  std::vector<ModelView> views;
+  std::vector<PosedCamera> views;
   views.reserve(kSides.size());
   for (const auto& [caption, azimuth_deg] : kSides) {
     views.push_back(
@@ -69,9 +69,9 @@ void addSides(const Model& model, ReportFacts& facts) {
     sides = picturesOfSurface(*mesh, views, SurfacePaint::kColours);
   } else {
     sides.reserve(views.size());
-    for (const ModelView& view : views) {
+    for (const PosedCamera& view : views) {
       sides.push_back(
-          pictureOfPoints(std::get<PointCloud>(model), view.camera, view.cam_from_table));
+          pictureOfPoints(std::get<PointCloud>(model), view.intrinsics, view.cam_from_table));
     }
   }
   for (std::size_t i = 0; i < sides.size(); ++i) {

@@ -4,9 +4,12 @@
 #include <system_error>
 
 #include "core/io/angles_file.h"
+#include "core/io/file_bytes.h"
+#include "core/io/passes_file.h"
 #include "core/io/report_reader.h"
 
 namespace gyre {
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -23,18 +26,46 @@ std::vector<fs::path> pictureFoldersOf(const fs::path& folder) {
   return folders;
 }
 
-fs::path findPicture(const std::vector<fs::path>& folders, const std::string& name) {
+}  // namespace
+
+PictureFinder::PictureFinder(const fs::path& result_folder, const fs::path& named) {
+  if (!named.empty()) {
+    places_.push_back({"", {named}});
+    return;
+  }
+  if (isThere(result_folder / kPassesFile)) {
+    const auto passes = readPasses(result_folder / kPassesFile);
+    if (!passes) return;
+    for (const ScanPass& pass : *passes) {
+      places_.push_back({pass.name + "/", pictureFoldersOf(pass.folder)});
+    }
+    return;
+  }
+  places_.push_back({"", pictureFoldersOf(result_folder)});
+}
+
+fs::path PictureFinder::find(const std::string& picture) const {
   std::error_code ignored;
-  for (const fs::path& folder : folders) {
-    if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+  for (const Place& place : places_) {
+    if (!picture.starts_with(place.before)) continue;
+    const std::string name = picture.substr(place.before.size());
+    for (const fs::path& folder : place.folders) {
+      if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+    }
   }
   return {};
 }
 
 fs::path firstPictureOf(const fs::path& folder) {
-  const auto angles = readAngleList(folder / "angles_solved.csv");
+  std::string pass;
+  if (isThere(folder / kPassesFile)) {
+    const auto passes = readPasses(folder / kPassesFile);
+    if (!passes) return {};
+    pass = passes->front().name + "/";
+  }
+  const auto angles = readAngleList(folder / pass / "angles_solved.csv");
   if (!angles || angles->empty()) return {};
-  return findPicture(pictureFoldersOf(folder), angles->front().picture);
+  return PictureFinder(folder).find(pass + angles->front().picture);
 }
 
 }  // namespace gyre

@@ -9,10 +9,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/parallel.h"
-#include "core/geometry/turntable_pose.h"
 #include "core/io/file_bytes.h"
 #include "core/io/silhouettes_file.h"
-#include "core/pipeline/result_views.h"
 
 namespace gyre {
 
@@ -26,12 +24,11 @@ constexpr int kWidening_px = 1;  // around each point, and of the whole: masks e
 constexpr int kMargin_px = 3;    // around the outline's box: rays farther out meet nothing anyhow
 
 // Where the points of the cloud are seen, or would be.
-std::vector<Eigen::Vector2d> pixelsOf(const PointCloud& cloud, const CameraModel& camera,
-                                      const Rigid3& cam_from_table) {
+std::vector<Eigen::Vector2d> pixelsOf(const PointCloud& cloud, const PosedCamera& camera) {
   std::vector<Eigen::Vector2d> pixels;
   pixels.reserve(cloud.points.size());
   for (const Point& point : cloud.points) {
-    if (const auto pixel = camera.project(cam_from_table * point.position)) {
+    if (const auto pixel = camera.intrinsics.project(camera.cam_from_table * point.position)) {
       pixels.push_back(*pixel);
     }
   }
@@ -78,10 +75,9 @@ cv::Rect boxOf(const cv::Mat& mask) {
   return box;
 }
 
-std::vector<Ray> backgroundOf(const cv::Mat& mask, const CameraModel& camera,
-                              const Rigid3& cam_from_table) {
+std::vector<Ray> backgroundOf(const cv::Mat& mask, const PosedCamera& camera) {
   std::vector<Ray> rays;
-  const double shrunk = shrinkOf(mask, camera.width_px);
+  const double shrunk = shrinkOf(mask, camera.intrinsics.width_px);
   const cv::Rect object = boxOf(mask);
   if (object.empty()) return rays;
   const cv::Rect box = cv::Rect(object.x - kMargin_px, object.y - kMargin_px,
@@ -91,7 +87,8 @@ std::vector<Ray> backgroundOf(const cv::Mat& mask, const CameraModel& camera,
     for (int x = box.x; x < box.x + box.width; ++x) {
       if (mask.at<std::uint8_t>(y, x) != 0) continue;
       const Eigen::Vector2d pixel((x + 0.5) * shrunk - 0.5, (y + 0.5) * shrunk - 0.5);
-      rays.push_back(rayThrough(cam_from_table, camera.normalizedFromPixel(pixel)));
+      rays.push_back(
+          rayThrough(camera.cam_from_table, camera.intrinsics.normalizedFromPixel(pixel)));
     }
   }
   return rays;
@@ -99,32 +96,30 @@ std::vector<Ray> backgroundOf(const cv::Mat& mask, const CameraModel& camera,
 
 }  // namespace
 
-SightEvidence sightsOf(const Calibration& calibration, std::span<const double> table_angles_rad,
-                       const Silhouettes& silhouettes, const PointCloud& cloud) {
+SightEvidence sightsOf(const ResultViews& views, const Silhouettes& silhouettes,
+                       const PointCloud& cloud) {
   SightEvidence sights;
-  sights.camera = calibration.camera;
-  std::vector<Rigid3> poses;
-  for (const double angle_rad : table_angles_rad) {
-    poses.push_back(camFromTable(*calibration.cam_from_table, angle_rad));
-    sights.camera_centres.push_back(poses.back().inverse().translation);
+  for (const ResultView& view : views) {
+    sights.camera_centres.push_back(view.camera.centreInTable());
   }
-  const std::size_t asked = std::min(kOutlinesAsked, silhouettes.size());
+  const std::size_t passes = views.empty() ? 1 : views.back().pass + 1;
+  const std::size_t asked = std::min(passes * kOutlinesAsked, silhouettes.size());
   std::vector<const Silhouette*> chosen;
   for (std::size_t i = 0; i < asked; ++i) {
     const Silhouette& silhouette = silhouettes[i * silhouettes.size() / asked];
-    if (silhouette.view < poses.size()) chosen.push_back(&silhouette);
+    if (silhouette.view < views.size()) chosen.push_back(&silhouette);
   }
   sights.background.resize(chosen.size());
   sights.outlines.resize(chosen.size());
-  const CameraModel& camera = calibration.camera;
   parallelFor(chosen.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Rigid3& pose = poses[chosen[i]->view];
-      const std::vector<Eigen::Vector2d> pixels = pixelsOf(cloud, camera, pose);
+      const PosedCamera& camera = views[chosen[i]->view].camera;
+      const int width_px = camera.intrinsics.width_px;
+      const std::vector<Eigen::Vector2d> pixels = pixelsOf(cloud, camera);
       cv::Mat outline = chosen[i]->mask.clone();
-      sights.background[i] = backgroundOf(widened(outline, camera.width_px, pixels), camera, pose);
-      fillAt(pixels, shrinkOf(outline, camera.width_px), 0, outline);
-      sights.outlines[i] = {pose, outline};
+      sights.background[i] = backgroundOf(widened(outline, width_px, pixels), camera);
+      fillAt(pixels, shrinkOf(outline, width_px), 0, outline);
+      sights.outlines[i] = {camera, outline};
     }
   });
   return sights;
@@ -132,20 +127,16 @@ SightEvidence sightsOf(const Calibration& calibration, std::span<const double> t
 
 Result<std::optional<SightEvidence>> readSights(const std::filesystem::path& folder,
                                                 const PointCloud& cloud) {
-  if (!isThere(folder / "calibration.json") || !isThere(folder / "angles_solved.csv")) {
-    return std::optional<SightEvidence>();
-  }
+  if (!hasResultViews(folder)) return std::optional<SightEvidence>();
   const auto views = readResultViews(folder);
   if (!views) return views.error();
-  std::vector<double> angles_rad;
-  for (const PictureAngle& each : views->angles) angles_rad.push_back(each.angle_rad);
   Silhouettes silhouettes;
   if (const auto file = folder / "silhouettes.bin"; isThere(file)) {
     auto read = readSilhouettes(file);
     if (!read) return read.error();
     silhouettes = std::move(*read);
   }
-  return std::optional(sightsOf(views->calibration, angles_rad, silhouettes, cloud));
+  return std::optional(sightsOf(*views, silhouettes, cloud));
 }
 
 }  // namespace gyre

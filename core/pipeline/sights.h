@@ -4,26 +4,25 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 
 #include "core/base/result.h"
 #include "core/mesh/sight_evidence.h"
-#include "core/scan/calibration.h"
+#include "core/pipeline/result_views.h"
 #include "core/scan/point_cloud.h"
 #include "core/scan/silhouette.h"
 
 namespace gyre {
 
-// Camera centres at the table's angles, one for each view, and rays through the background beside
-// the silhouettes, and the outlines, of some views spread over the turn. Where points of the cloud
-// lie beside an outline, the outline is wrong: it is mended, and no ray is given. The calibration
-// has its cam_from_table.
-SightEvidence sightsOf(const Calibration& calibration, std::span<const double> table_angles_rad,
-                       const Silhouettes& silhouettes, const PointCloud& cloud);
+// The cameras' centres, one for each view, and rays through the background beside the silhouettes,
+// and the outlines, of some views spread over each pass (all views, where nobody turned the object
+// over). Where points of the cloud lie beside an outline, the outline is wrong: it is mended, and
+// no ray is given.
+SightEvidence sightsOf(const ResultViews& views, const Silhouettes& silhouettes,
+                       const PointCloud& cloud);
 
-// The same from calibration.json, angles_solved.csv (a line for each view) and, where it is there,
-// silhouettes.bin in a result's folder. Nothing when one of the first two is not there; fails when
-// a file cannot be read, or the calibration does not say where the table is.
+// The same from a result's folder (readResultViews) and, where it is there, its silhouettes.bin.
+// Nothing when the folder does not tell where the cameras were; fails when a file cannot be read,
+// or the calibration does not say where the table is.
 Result<std::optional<SightEvidence>> readSights(const std::filesystem::path& folder,
                                                 const PointCloud& cloud);
 

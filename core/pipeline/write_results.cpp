@@ -9,6 +9,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/formatted.h"
+#include "core/geometry/turntable_pose.h"
 #include "core/io/calibration_record_file.h"
 #include "core/io/fingerprint.h"
 #include "core/io/obj.h"
@@ -84,11 +85,12 @@ std::optional<SightEvidence> sightsOf(const Reconstruction& reconstruction,
                                       const ResultContext& context) {
   const Calibration& calibration = context.calibration.calibration;
   if (!calibration.cam_from_table) return std::nullopt;
-  std::vector<double> angles_rad;
+  ResultViews views;
   for (const auto& [picture, angle_rad] : solvedAngles(context.angles, reconstruction.turning)) {
-    angles_rad.push_back(angle_rad);
+    const Rigid3 pose = camFromTable(*calibration.cam_from_table, angle_rad);
+    views.push_back({picture, {calibration.camera, pose}, 0});
   }
-  return sightsOf(calibration, angles_rad, reconstruction.silhouettes, reconstruction.cloud);
+  return sightsOf(views, reconstruction.silhouettes, reconstruction.cloud);
 }
 
 // A surface of the points; of the outlines, where points are too few to be trusted with it.

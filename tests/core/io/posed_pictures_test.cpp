@@ -37,7 +37,7 @@ Eigen::Vector2d seenAt(const CameraModel& camera, const Rigid3& pose,
 
 PosedPictures sample(double k3 = 0.0) {
   PosedPictures posed;
-  posed.camera = {1280, 960, 2400.0, 2390.0, 0.0, 650.25, 471.5, -0.08, 0.03, 1e-3, -5e-4, k3};
+  posed.cameras = {{1280, 960, 2400.0, 2390.0, 0.0, 650.25, 471.5, -0.08, 0.03, 1e-3, -5e-4, k3}};
   Rigid3 pose;
   pose.rotation << 0, 1, 0, 0.5, 0, -std::sqrt(0.75), -std::sqrt(0.75), 0, -0.5;
   pose.translation = {0, 20, 350};
@@ -57,7 +57,8 @@ PosedPictures sample(double k3 = 0.0) {
       if (random.uniform() < 0.4) continue;
       const Rigid3& at = posed.pictures[static_cast<std::size_t>(view)].cam_from_table;
       const Eigen::Vector2d off(kNoise_px * random.gaussian(), kNoise_px * random.gaussian());
-      posed.sightings.back().push_back({view, seenAt(posed.camera, at, point.position) + off, 0.2});
+      posed.sightings.back().push_back(
+          {view, seenAt(posed.cameras[0], at, point.position) + off, 0.2});
     }
   }
   return posed;
@@ -119,10 +120,10 @@ TEST(ColmapModel, HasNoTracksWhereNobodyKeptTheSightings) {
 TEST(ColmapModel, RefusesWhatItCannotHold) {
   const TempDir dir;
   PosedPictures posed = sample();
-  posed.camera.skew = 1.0;
+  posed.cameras[0].skew = 1.0;
   EXPECT_THAT(writeColmapModel(dir.path(), posed).error().what, HasSubstr("skew"));
   EXPECT_FALSE(transformsText(posed));
-  posed.camera.skew = 0.1;  // a fiftieth of a pixel at the picture's edge
+  posed.cameras[0].skew = 0.1;  // a fiftieth of a pixel at the picture's edge
   posed.pictures[2].name = "my picture.png";
   EXPECT_THAT(writeColmapModel(dir.path(), posed).error().what, HasSubstr("blank"));
   EXPECT_TRUE(transformsText(posed));
@@ -154,12 +155,30 @@ TEST(TransformsText, PutsTheCameraWhereOpenGlHasIt) {
     // A pinhole with these axes sees the point at x / -z to the right and y / -z above the middle.
     const Eigen::Vector3d place = posed.cloud.points[view].position;
     const Eigen::Vector4d at = table_from_opengl.inverse() * place.homogeneous();
-    CameraModel pinhole = posed.camera;
+    CameraModel pinhole = posed.cameras[0];
     pinhole.k1 = pinhole.k2 = pinhole.p1 = pinhole.p2 = 0.0;
     const Eigen::Vector2d pixel = seenAt(pinhole, posed.pictures[view].cam_from_table, place);
     EXPECT_NEAR(root["cx"].get<double>() + 2400.0 * at.x() / -at.z(), pixel.x() + 0.5, 1e-6);
     EXPECT_NEAR(root["cy"].get<double>() - 2390.0 * at.y() / -at.z(), pixel.y() + 0.5, 1e-6);
   }
+}
+
+TEST(PosedPictures, MayComeFromSeveralCameras) {
+  PosedPictures posed = sample();
+  posed.cameras.push_back(posed.cameras[0]);
+  posed.cameras[1].fx = 1800.0;
+  posed.pictures[7].camera = 1;
+  posed.sightings.clear();
+  const TempDir dir;
+  ASSERT_TRUE(writeColmapModel(dir.path(), posed));
+  const test::ColmapModel model = test::readColmap(dir.path());
+  ASSERT_EQ(model.cameras.size(), 2U);
+  EXPECT_DOUBLE_EQ(model.cameras.at(2).parameters[0], 1800.0);
+  EXPECT_EQ(model.images.at(7).camera, 1);
+  EXPECT_EQ(model.images.at(8).camera, 2);
+  const auto root = nlohmann::json::parse(*transformsText(posed));
+  EXPECT_DOUBLE_EQ(root["frames"][6]["fl_x"], 2400.0);
+  EXPECT_DOUBLE_EQ(root["frames"][7]["fl_x"], 1800.0);
 }
 
 TEST(TransformsText, BringsTheObjectIntoTheUnitCube) {
@@ -174,7 +193,7 @@ TEST(TransformsText, BringsTheObjectIntoTheUnitCube) {
   EXPECT_GE(cube.min.minCoeff(), 0.0999);
   EXPECT_LE(cube.max.maxCoeff(), 0.9001);
   EXPECT_FALSE(
-      nlohmann::json::parse(*transformsText({posed.camera, {}, {}, {}})).contains("scale"));
+      nlohmann::json::parse(*transformsText({posed.cameras, {}, {}, {}})).contains("scale"));
 }
 
 }  // namespace

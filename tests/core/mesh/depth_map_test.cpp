@@ -17,7 +17,7 @@ TEST(DepthMap, SeesTheNearerSideOfABall) {
   CameraModel camera = test::plainCamera();
   camera.k1 = 0.0;
   const Rigid3 cam_from_table = test::lookAt({0, 0, 0}, 400.0, 0.5);
-  const cv::Mat depth = depthMap(ball, camera, cam_from_table, 2);
+  const cv::Mat depth = depthMap(ball, {camera, cam_from_table}, 2);
   ASSERT_EQ(depth.cols, 320);
   ASSERT_EQ(depth.rows, 240);
   int hits = 0;
@@ -43,7 +43,7 @@ TEST(DepthMap, SeesTheNearerSideOfABall) {
 TEST(DepthMap, LeavesOutWhatIsBehindTheCamera) {
   const Mesh box = test::boxMesh({-10, -10, 500}, {10, 10, 510});
   const cv::Mat depth =
-      depthMap(box, test::plainCamera(), test::lookAt({0, 0, 0}, 400.0, 1.5707), 4);
+      depthMap(box, {test::plainCamera(), test::lookAt({0, 0, 0}, 400.0, 1.5707)}, 4);
   EXPECT_EQ(std::count_if(depth.begin<float>(), depth.end<float>(),
                           [](float mm) { return std::isfinite(mm); }),
             0);

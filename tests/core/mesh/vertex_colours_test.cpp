@@ -57,6 +57,11 @@ struct World {
     mesh = test::ballMesh(20.0, 60);
     computeNormals(mesh);
   }
+  std::vector<PosedCamera> cameras() const {
+    std::vector<PosedCamera> all;
+    for (const Rigid3& pose : poses) all.push_back({camera, pose});
+    return all;
+  }
   PictureOfView pictures() const {
     return
         [this](std::size_t view) -> Result<cv::Mat> { return picture(camera, poses[view], balls); };
@@ -74,7 +79,7 @@ bool isPaint(const MeshVertex& vertex, double tolerance) {
 
 TEST(ColourVertices, FindsThePaintUnderAHighlight) {
   World world;
-  const auto coloured = colourVertices(world.mesh, world.camera, world.poses, world.pictures(), {});
+  const auto coloured = colourVertices(world.mesh, world.cameras(), world.pictures(), {});
   ASSERT_TRUE(coloured) << coloured.error().sentence();
   EXPECT_GT(*coloured, world.mesh.vertices.size() / 2);
   for (const MeshVertex& vertex : world.mesh.vertices) {
@@ -87,7 +92,7 @@ TEST(ColourVertices, FindsThePaintUnderAHighlight) {
 
 TEST(ColourVertices, GivesWhatNoPictureShowsTheColourBesideIt) {
   World world;
-  ASSERT_TRUE(colourVertices(world.mesh, world.camera, world.poses, world.pictures(), {}));
+  ASSERT_TRUE(colourVertices(world.mesh, world.cameras(), world.pictures(), {}));
   const MeshVertex& south = world.mesh.vertices.front();
   EXPECT_EQ(south.views, 0);
   EXPECT_TRUE(isPaint(south, 3));
@@ -106,7 +111,7 @@ TEST(ColourVertices, LooksPastWhatHidesASurface) {
     world.mesh.triangles.push_back({a + first, b + first, c + first});
   }
   computeNormals(world.mesh);
-  ASSERT_TRUE(colourVertices(world.mesh, world.camera, world.poses, world.pictures(), {}));
+  ASSERT_TRUE(colourVertices(world.mesh, world.cameras(), world.pictures(), {}));
   std::size_t wrong = 0;
   for (std::size_t v = 0; v < first; ++v) {
     const MeshVertex& vertex = world.mesh.vertices[v];
@@ -122,11 +127,11 @@ TEST(ColourVertices, RefusesPicturesOfAnotherSizeAndStops) {
   const auto small = [](std::size_t) -> Result<cv::Mat> {
     return cv::Mat(10, 10, CV_8UC3, cv::Scalar());
   };
-  EXPECT_FALSE(colourVertices(world.mesh, world.camera, world.poses, small, {}));
+  EXPECT_FALSE(colourVertices(world.mesh, world.cameras(), small, {}));
   std::stop_source stop;
   stop.request_stop();
-  const auto stopped = colourVertices(world.mesh, world.camera, world.poses, world.pictures(),
-                                      Task(stop.get_token()));
+  const auto stopped =
+      colourVertices(world.mesh, world.cameras(), world.pictures(), Task(stop.get_token()));
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, Error::Code::kCancelled);
   for (std::size_t v = 0; v < before.vertices.size(); ++v) {

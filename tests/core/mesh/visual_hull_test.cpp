@@ -40,18 +40,18 @@ bool hitsBall(const Ray& ray, const Eigen::Vector3d& centre, double radius_mm) {
 // The mask of half the picture's size that a picture with exact pixels leaves.
 SightEvidence outlinesOf(const Hits& hits, int views) {
   SightEvidence evidence;
-  evidence.camera = smallCamera();
+  const CameraModel camera = smallCamera();
   for (const Rigid3& pose : test::turnOfViews(test::lookAt({0, 0, 20}, 400.0, 0.35), views)) {
     cv::Mat mask = cv::Mat::zeros(120, 160, CV_8U);
     for (int y = 0; y < 240; ++y) {
       for (int x = 0; x < 320; ++x) {
         const Eigen::Vector2d pixel(x, y);
-        if (hits(rayThrough(pose, evidence.camera.normalizedFromPixel(pixel)))) {
+        if (hits(rayThrough(pose, camera.normalizedFromPixel(pixel)))) {
           mask.at<std::uint8_t>(y / 2, x / 2) = 255;
         }
       }
     }
-    evidence.outlines.push_back({pose, mask});
+    evidence.outlines.push_back({{camera, pose}, mask});
   }
   return evidence;
 }

@@ -39,16 +39,16 @@ TEST(ViewOf, HoldsTheWholeBoxFromEverySide) {
   bounds.include({10, 25, 80});
   for (int azimuth = 0; azimuth < 360; azimuth += 30) {
     for (const double elevation_deg : {-80.0, 0.0, 15.0, 89.0}) {
-      const ModelView view =
+      const PosedCamera view =
           viewOf(bounds, radFromDeg(azimuth), radFromDeg(elevation_deg), kSize_px);
       EXPECT_TRUE(isRigid(view.cam_from_table, 1e-9));
       for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3d at((corner & 1) != 0 ? bounds.min.x() : bounds.max.x(),
                                  (corner & 2) != 0 ? bounds.min.y() : bounds.max.y(),
                                  (corner & 4) != 0 ? bounds.min.z() : bounds.max.z());
-        const auto pixel = view.camera.project(view.cam_from_table * at);
+        const auto pixel = view.intrinsics.project(view.cam_from_table * at);
         ASSERT_TRUE(pixel);
-        EXPECT_TRUE(view.camera.contains(*pixel));
+        EXPECT_TRUE(view.intrinsics.contains(*pixel));
       }
     }
   }
@@ -58,11 +58,11 @@ TEST(ViewOf, LooksFromXWithZUp) {
   Bounds bounds;
   bounds.include({-1, -1, -1});
   bounds.include({1, 1, 1});
-  const ModelView view = viewOf(bounds, 0.0, 0.0, kSize_px);
+  const PosedCamera view = viewOf(bounds, 0.0, 0.0, kSize_px);
   EXPECT_GT(view.cam_from_table.inverse().translation.x(), 1.0);
-  const auto middle = view.camera.project(view.cam_from_table * Eigen::Vector3d(0, 0, 0));
-  const auto above = view.camera.project(view.cam_from_table * Eigen::Vector3d(0, 0, 1));
-  const auto left = view.camera.project(view.cam_from_table * Eigen::Vector3d(0, -1, 0));
+  const auto middle = view.intrinsics.project(view.cam_from_table * Eigen::Vector3d(0, 0, 0));
+  const auto above = view.intrinsics.project(view.cam_from_table * Eigen::Vector3d(0, 0, 1));
+  const auto left = view.intrinsics.project(view.cam_from_table * Eigen::Vector3d(0, -1, 0));
   EXPECT_NEAR(middle->x(), 0.5 * (kSize_px - 1), 1e-9);
   EXPECT_LT(above->y(), middle->y());
   EXPECT_LT(left->x(), middle->x());  // seen from +x, -y is on the left
@@ -70,10 +70,10 @@ TEST(ViewOf, LooksFromXWithZUp) {
 
 TEST(PicturesOfSurface, ShowABallAsADisc) {
   const Mesh mesh = ball();
-  const ModelView view = viewOf(boundsOf(mesh), 0.3, 0.2, kSize_px);
+  const PosedCamera view = viewOf(boundsOf(mesh), 0.3, 0.2, kSize_px);
   const cv::Mat picture = picturesOfSurface(mesh, {&view, 1}, SurfacePaint::kColours).front();
   const double distance_mm = (view.cam_from_table * Eigen::Vector3d(3, -4, 20)).norm();
-  const double radius_px = view.camera.fx * std::tan(std::asin(10.0 / distance_mm));
+  const double radius_px = view.intrinsics.fx * std::tan(std::asin(10.0 / distance_mm));
   // The rim: one pixel in a hundred.
   EXPECT_NEAR(painted(picture) / (kPi * radius_px * radius_px), 1.0, 0.02);
   const auto middle = picture.at<cv::Vec3b>(kSize_px / 2, kSize_px / 2);
@@ -82,7 +82,7 @@ TEST(PicturesOfSurface, ShowABallAsADisc) {
 
 TEST(PicturesOfSurface, HatchWhatNoCameraSaw) {
   Mesh mesh = ball();
-  const ModelView view = viewOf(boundsOf(mesh), 0.0, 0.0, kSize_px);
+  const PosedCamera view = viewOf(boundsOf(mesh), 0.0, 0.0, kSize_px);
   const cv::Rect middle(80, 80, 40, 40);
   const auto brightest = [&] {
     const cv::Mat picture = picturesOfSurface(mesh, {&view, 1}, SurfacePaint::kColours).front();
@@ -103,13 +103,13 @@ TEST(PicturesOfSurface, ShowColoursOfNumbersNearlyAsTheyAreFromBothSides) {
   Mesh mesh = ball();
   for (Triangle& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
   computeNormals(mesh);
-  const ModelView view = viewOf(boundsOf(mesh), 0.0, 0.0, kSize_px);
+  const PosedCamera view = viewOf(boundsOf(mesh), 0.0, 0.0, kSize_px);
   const cv::Mat picture = picturesOfSurface(mesh, {&view, 1}, SurfacePaint::kFigures).front();
   EXPECT_NEAR(picture.at<cv::Vec3b>(kSize_px / 2, kSize_px / 2)[2], 200, 2);
 }
 
 TEST(PicturesOfSurface, AreWhiteWithoutASurface) {
-  const ModelView view = viewOf({}, 0.0, 0.0, 16);
+  const PosedCamera view = viewOf({}, 0.0, 0.0, 16);
   EXPECT_EQ(painted(picturesOfSurface({}, {&view, 1}, SurfacePaint::kColours).front()), 0);
 }
 
