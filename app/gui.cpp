@@ -112,6 +112,10 @@ class Photographer final : public QObject {
       return;
     }
     const QString object = QString::fromStdString(options.object);
+    if (options.scene == "place") {
+      showPlacing(object);
+      return;
+    }
     bench_.runDemo(object, kPictureViews, work_.filePath(object));
     if (options.scene == "scan") {
       connect(&bench_.controller(), &ScanController::factsChanged, this,
@@ -124,6 +128,17 @@ class Photographer final : public QObject {
   }
 
  private:
+  // The step in which the object is placed, after a quick look at it.
+  void showPlacing(const QString& object) {
+    ScanController* scans = &bench_.controller();
+    bench_.window().showWork(Step::kPlace);
+    connect(&scans->devices(), &DeviceSession::opened, scans, &ScanController::takeEmptyTable);
+    connect(scans, &ScanController::emptyTableTaken, scans, &ScanController::quickLook);
+    connect(scans, &ScanController::quickLookTaken, this, [this](const QuickLookPtr& look) {
+      if (look) takeSoon();
+    });
+    scans->devices().open("sim:" + object, "sim");
+  }
   void showSurface() {
     WorkPage* page = bench_.window().work_page;
     page->scene_view->fit();
@@ -204,12 +219,12 @@ class Photographer final : public QObject {
 
 // What is wrong with the words of a screenshot; empty when nothing is.
 std::string wrongWord(const GuiOptions& options) {
-  constexpr std::array kScenes = {"start", "scan", "mesh", "clean", "measure"};
+  constexpr std::array kScenes = {"start", "place", "scan", "mesh", "clean", "measure"};
   const bool known = wizardStep(options.scene) ||
                      std::find(kScenes.begin(), kScenes.end(), options.scene) != kScenes.end();
   if (!known) {
     return "There is no such scene. Give --scene start, focus, target, calibrate, turn, verdict, "
-           "scan, mesh, clean or measure.";
+           "place, scan, mesh, clean or measure.";
   }
   const std::vector<std::string>& objects = objectNames();
   if (std::find(objects.begin(), objects.end(), options.object) == objects.end()) {

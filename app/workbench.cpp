@@ -10,6 +10,7 @@
 #include <QUrl>
 
 #include "app/calibration_wiring.h"
+#include "app/place_wiring.h"
 #include "app/surface_wiring.h"
 #include "core/device/discovery.h"
 #include "core/scan/point_cloud.h"
@@ -53,6 +54,7 @@ Workbench::Workbench(const RigOptions& rig)
   wireDevices();
   wireScan();
   wireResults();
+  wirePlace(*window_.work_page, controller_);
   wireSurface(*window_.work_page, controller_, measures_);
   wireFacts();
   wireCalibration(*window_.work_page, calibrations_, controller_);
@@ -127,7 +129,6 @@ void Workbench::wireDevices() {
           &CameraView::showFrame);
   connect(devices, &DeviceSession::closed, this, [this] {
     window_.work_page->camera_view->clear(tr("No camera yet"));
-    window_.work_page->place_panel->reset();
     placed_ = false;
   });
 }
@@ -135,8 +136,6 @@ void Workbench::wireDevices() {
 void Workbench::wireScan() {
   WorkPage* page = window_.work_page;
   connect(page->calibration_panel, &CalibrationPanel::fileChosen, this, &Workbench::useCalibration);
-  connect(page->place_panel, &PlacePanel::emptyTableRequested, &controller_,
-          &ScanController::takeEmptyTable);
   connect(page->place_panel, &PlacePanel::objectPlaced, this, [this] {
     placed_ = true;
     showSteps();
@@ -149,7 +148,6 @@ void Workbench::wireScan() {
   connect(&window_, &MainWindow::resumeRequested, &controller_, &ScanController::resume);
   connect(&window_, &MainWindow::stopRequested, &controller_, &ScanController::stop);
   connect(&controller_, &ScanController::emptyTableTaken, this, [this] {
-    window_.work_page->place_panel->showEmptyTableTaken();
     showSteps();
     if (demo_) {
       demo_ = false;

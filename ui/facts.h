@@ -17,6 +17,7 @@ enum class ScanPhase {
   kConnecting,  // table and camera are being opened
   kReady,       // both answer; a scan can start
   kEmptyTable,  // the picture of the bare table is being taken
+  kQuickLook,   // the table turns once, for a few pictures around the object
   kScanning,
   kPaused,
   kStopping,   // the table slows down; the last view is being written

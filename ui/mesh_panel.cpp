@@ -166,7 +166,8 @@ void MeshPanel::showPoints(std::size_t points) {
 
 void MeshPanel::offer() {
   const bool works = isCapturing(phase_) || phase_ == ScanPhase::kFinishing ||
-                     phase_ == ScanPhase::kMeshing || phase_ == ScanPhase::kEmptyTable;
+                     phase_ == ScanPhase::kMeshing || phase_ == ScanPhase::kEmptyTable ||
+                     phase_ == ScanPhase::kQuickLook;
   make_->setEnabled(points_ > 0 && !works);
 }
 

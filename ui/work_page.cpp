@@ -153,6 +153,7 @@ void WorkPage::showStep(Step step) {
   // Where the model is worked on it gets the camera's place.
   camera_frame_->setVisible(step != Step::kMesh && step != Step::kExport);
   editing_->setVisible(step == Step::kMesh);
+  Q_EMIT stepShown(step);
 }
 
 }  // namespace gyre

@@ -53,6 +53,9 @@ class WorkPage final : public QWidget {
   void showPhase(gyre::ScanPhase phase);
   void showStep(gyre::Step step);
 
+ Q_SIGNALS:
+  void stepShown(gyre::Step step);
+
  private:
   QWidget* buildSteps();
   QWidget* buildViews();

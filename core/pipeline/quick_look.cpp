@@ -45,7 +45,9 @@ Result<void> countTheShortWay(Turntable& turntable) {
   return turntable.setAngle(short_rad);
 }
 
-Result<std::vector<FramePtr>> turnAround(Turntable& turntable, Camera& camera, const Task& task) {
+Result<std::vector<FramePtr>> turnAround(Turntable& turntable, Camera& camera,
+                                         const std::function<void(const FramePtr&)>& on_picture,
+                                         const Task& task) {
   const Task silent(task.stopToken());
   const double begin_rad = turntable.angleRad();
   Settling settling;
@@ -64,6 +66,7 @@ Result<std::vector<FramePtr>> turnAround(Turntable& turntable, Camera& camera, c
     frame.view = view;
     frame.table_angle_rad = turntable.angleRad();
     pictures.push_back(std::make_shared<const Frame>(std::move(frame)));
+    on_picture(pictures.back());
   }
   return pictures;
 }
@@ -178,8 +181,9 @@ Result<void> checkPictures(const Calibration& calibration, const FramePtr& empty
 }  // namespace
 
 Result<std::vector<FramePtr>> takeQuickLook(Turntable& turntable, Camera& camera,
+                                            const std::function<void(const FramePtr&)>& on_picture,
                                             const Task& task) {
-  auto pictures = turnAround(turntable, camera, task);
+  auto pictures = turnAround(turntable, camera, on_picture, task);
   if (!pictures) {
     turntable.stop();
     return pictures;

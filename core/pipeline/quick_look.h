@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -17,9 +18,11 @@ inline constexpr int kQuickViews = 8;
 
 // Turns the table by one turn less a step, from where it stands, and takes a picture at each of the
 // eight stops. The table may then be told to stand a whole turn back, where a scan begins the short
-// way round; it is the same place. A stop request slows the table down (kCancelled); its angle
-// stays known.
-Result<std::vector<FramePtr>> takeQuickLook(Turntable& turntable, Camera& camera, const Task& task);
+// way round; it is the same place. on_picture is called in this thread after each. A stop request
+// slows the table down (kCancelled); its angle stays known.
+Result<std::vector<FramePtr>> takeQuickLook(Turntable& turntable, Camera& camera,
+                                            const std::function<void(const FramePtr&)>& on_picture,
+                                            const Task& task);
 
 // Judges pictures of the object, each at its table angle: whether it stays in the picture, is
 // sharp, holds detail in its lights and shadows, and has texture enough to be followed. Without a

@@ -43,6 +43,26 @@ bool circleStaysInPicture(const CameraModel& camera, const Rigid3& cam_from_tabl
   return true;
 }
 
+std::vector<PictureLine> drawnInPicture(const UsableCylinder& cylinder, const CameraModel& camera,
+                                        const Rigid3& cam_from_table) {
+  std::vector<PictureLine> lines;
+  const auto add = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    const auto a = camera.project(cam_from_table * from);
+    const auto b = camera.project(cam_from_table * to);
+    if (a && b) lines.push_back({*a, *b});
+  };
+  const auto rim = [&](int corner, double height_mm) {
+    const double angle_rad = kTurn_rad * corner / kCorners;
+    return Eigen::Vector3d(cylinder.radius_mm * std::cos(angle_rad),
+                           cylinder.radius_mm * std::sin(angle_rad), height_mm);
+  };
+  for (const double height_mm : {0.0, cylinder.height_mm}) {
+    for (int i = 0; i < kCorners; ++i) add(rim(i, height_mm), rim(i + 1, height_mm));
+  }
+  add(Eigen::Vector3d::Zero(), {0.0, 0.0, cylinder.height_mm});
+  return lines;
+}
+
 std::optional<UsableCylinder> usableCylinder(const CameraModel& camera,
                                              const Rigid3& cam_from_table) {
   const double far_mm = cam_from_table.inverse().translation.norm();

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "core/geometry/camera_model.h"
 #include "core/geometry/rigid3.h"
@@ -20,5 +23,15 @@ bool circleStaysInPicture(const CameraModel& camera, const Rigid3& cam_from_tabl
 // beyond it where it is narrower or lower than it.
 std::optional<UsableCylinder> usableCylinder(const CameraModel& camera,
                                              const Rigid3& cam_from_table);
+
+// A straight piece of a drawing in the picture. [px]
+struct PictureLine {
+  Eigen::Vector2d from;
+  Eigen::Vector2d to;
+};
+
+// Both rims of a cylinder and the axis in it, as the camera sees them; distorted as the picture is.
+std::vector<PictureLine> drawnInPicture(const UsableCylinder& cylinder, const CameraModel& camera,
+                                        const Rigid3& cam_from_table);
 
 }  // namespace gyre

@@ -189,9 +189,12 @@ class TakeQuickLook : public testing::Test {
 TEST_F(TakeQuickLook, LooksFromAllSidesAndKnowsWhereTheTableStands) {
   ASSERT_TRUE(turntable_->moveTo(radFromDeg(10.0), {}).ok());
   const TablePlace before = turntable_->place();
-  const auto pictures = takeQuickLook(*turntable_, *camera_, {});
+  int told = 0;
+  const auto pictures =
+      takeQuickLook(*turntable_, *camera_, [&told](const FramePtr&) { ++told; }, {});
   ASSERT_TRUE(pictures.ok()) << pictures.error().sentence();
   ASSERT_EQ(pictures->size(), static_cast<std::size_t>(kQuickViews));
+  EXPECT_EQ(told, kQuickViews);
   for (int view = 0; view < kQuickViews; ++view) {
     EXPECT_NEAR((*pictures)[static_cast<std::size_t>(view)]->table_angle_rad,
                 radFromDeg(10.0 + 45.0 * view), radFromDeg(0.1));
@@ -207,7 +210,8 @@ TEST_F(TakeQuickLook, StopsOnRequestAndTheTableCanBeSentOn) {
   const Task task(stop.get_token(), [&stop](double fraction, std::string_view) {
     if (fraction >= 2.0 / kQuickViews) stop.request_stop();
   });
-  const auto pictures = takeQuickLook(*turntable_, *camera_, task);
+  const auto pictures = takeQuickLook(
+      *turntable_, *camera_, [](const FramePtr&) {}, task);
   ASSERT_FALSE(pictures.ok());
   EXPECT_EQ(pictures.error().code, Error::Code::kCancelled);
   EXPECT_LT(shaft_->steps(), 3200 / 2);

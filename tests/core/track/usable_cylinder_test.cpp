@@ -64,6 +64,19 @@ TEST(UsableCylinder, GrowsWithTheDistance) {
   EXPECT_GT(far->radius_mm, 1.5 * near->radius_mm);
 }
 
+TEST(UsableCylinder, IsDrawnInThePictureAndEndsBeforeItsEdge) {
+  const Rigid3 pose = camAt(350.0, 30.0, 20.0);
+  const auto usable = usableCylinder(lens(), pose);
+  ASSERT_TRUE(usable.has_value());
+  const auto lines = drawnInPicture(*usable, lens(), pose);
+  EXPECT_GT(lines.size(), 100U);
+  for (const PictureLine& line : lines) {
+    EXPECT_TRUE(lens().contains(line.from) && lens().contains(line.to));
+  }
+  const PictureLine& axis = lines.back();
+  EXPECT_NEAR((axis.from - *lens().project(pose * Eigen::Vector3d::Zero())).norm(), 0.0, 1e-9);
+}
+
 TEST(UsableCylinder, IsNoneWhereThePictureDoesNotShowTheAxisAtThePlatter) {
   EXPECT_FALSE(usableCylinder(lens(), camAt(350.0, 0.0, 200.0)).has_value());  // looks too high
   Rigid3 away = camAt(350.0, 30.0, 20.0);
