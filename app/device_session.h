@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <QObject>
 
@@ -44,9 +45,12 @@ class DeviceSession final : public QObject {
   void turnToDeg(double to_deg);
   void releaseMotor();
   void lockCamera();
+  // Lets go of both and opens them again, the camera in this mode: "1920x1080@MJPG@30".
+  void reopenInMode(const QString& mode);
   void startPreview();
 
  Q_SIGNALS:
+  void opening();
   void opened(const gyre::TurntableInfo& turntable, const gyre::CameraInfo& camera);
   void closed();
   void openFailed(const gyre::Error& error);
@@ -58,10 +62,12 @@ class DeviceSession final : public QObject {
   void idle();  // no job runs any more
 
  private:
+  void openWith(const RigOptions& options, const QString& turntable, const QString& camera);
   void move(std::function<double(double now_deg)> target_deg);
   void noteIdle();
 
   const RigOptions options_;
+  std::optional<QString> reopen_in_;  // once both are closed
   std::shared_ptr<Rig> rig_;
   QString turntable_word_;
   QString camera_word_;

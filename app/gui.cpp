@@ -49,9 +49,8 @@ constexpr int kPatience_ms = 600000;
 
 // The wizard's pages among the scenes.
 std::optional<WizardStep> wizardStep(const std::string& scene) {
-  constexpr std::array<std::pair<const char*, WizardStep>, 5> kPages = {
-      {{"focus", WizardStep::kFocus},
-       {"target", WizardStep::kTarget},
+  constexpr std::array<std::pair<const char*, WizardStep>, 4> kPages = {
+      {{"target", WizardStep::kTarget},
        {"calibrate", WizardStep::kPlace},
        {"turn", WizardStep::kTurn},
        {"verdict", WizardStep::kResult}}};
@@ -112,6 +111,10 @@ class Photographer final : public QObject {
       return;
     }
     const QString object = QString::fromStdString(options.object);
+    if (options.scene == "focus") {
+      showFocus(object);
+      return;
+    }
     if (options.scene == "place") {
       showPlacing(object);
       return;
@@ -128,6 +131,17 @@ class Photographer final : public QObject {
   }
 
  private:
+  // The step in which the object is framed and focused, with the camera locked.
+  void showFocus(const QString& object) {
+    DeviceSession* devices = &bench_.controller().devices();
+    bench_.window().showWork(Step::kFocus);
+    connect(devices, &DeviceSession::opened, devices, &DeviceSession::lockCamera);
+    connect(devices, &DeviceSession::cameraTold, this, [this] {
+      connect(&bench_.calibrations(), &CalibrationController::focusSeen, this,
+              [this] { takeSoon(); });
+    });
+    devices->open("sim:" + object, "sim");
+  }
   // The step in which the object is placed, after a quick look at it.
   void showPlacing(const QString& object) {
     ScanController* scans = &bench_.controller();
@@ -172,9 +186,6 @@ class Photographer final : public QObject {
       if (step == WizardStep::kTarget) takeSoon();
     });
     CalibrationController* calibrations = &bench_.calibrations();
-    connect(calibrations, &CalibrationController::focusSeen, this, [this, step] {
-      if (step == WizardStep::kFocus) takeSoon();
-    });
     connect(calibrations, &CalibrationController::sightSeen, this,
             [this, panel, calibrations, step](const TargetSight& sight) {
               if (!sight.passes) return;
@@ -219,7 +230,7 @@ class Photographer final : public QObject {
 
 // What is wrong with the words of a screenshot; empty when nothing is.
 std::string wrongWord(const GuiOptions& options) {
-  constexpr std::array kScenes = {"start", "place", "scan", "mesh", "clean", "measure"};
+  constexpr std::array kScenes = {"start", "focus", "place", "scan", "mesh", "clean", "measure"};
   const bool known = wizardStep(options.scene) ||
                      std::find(kScenes.begin(), kScenes.end(), options.scene) != kScenes.end();
   if (!known) {

@@ -107,7 +107,7 @@ bool ScanController::readyToScan() {
   }
   if (!calibration_ || !calibration_->calibration.cam_from_table) {
     return refuse(tr("The camera's place at the table is not known."),
-                  tr("Open a calibration made with this camera and table (step 2)."));
+                  tr("Open a calibration made with this camera and table (step 3)."));
   }
   return true;
 }
@@ -233,7 +233,7 @@ void ScanController::finished(const Result<void>& outcome, const std::shared_ptr
       stopped_rig_ = devices_.rig();
       Q_EMIT noticed(tr("Stopped. What was captured is kept in %1.")
                          .arg(QString::fromStdString(folder_.string())),
-                     tr("Step 4 can go on with this scan."));
+                     tr("Step 5 can go on with this scan."));
     } else {
       Q_EMIT failed(outcome.error());
     }

@@ -105,14 +105,12 @@ void Workbench::wireDevices() {
           [this, devices](const QString& turntable, const QString& camera) {
             window_.work_page->banner->dismiss();
             settings_.setDevices(turntable, camera);
-            window_.showPhase(ScanPhase::kConnecting);
             devices->open(turntable, camera);
           });
   connect(panel, &DevicePanel::disconnectRequested, devices, &DeviceSession::close);
   connect(panel, &DevicePanel::turnRequestedDeg, devices, &DeviceSession::turnByDeg);
   connect(panel, &DevicePanel::angleRequestedDeg, devices, &DeviceSession::turnToDeg);
   connect(panel, &DevicePanel::releaseRequested, devices, &DeviceSession::releaseMotor);
-  connect(panel, &DevicePanel::lockRequested, devices, &DeviceSession::lockCamera);
   connect(panel, &DevicePanel::turntableConfirmed, this, [this, devices] {
     settings_.rememberTurntable(device_id_);
     devices->confirmTurntable();
@@ -124,12 +122,19 @@ void Workbench::wireDevices() {
     window_.showPhase(controller_.phase());
   });
   connect(devices, &DeviceSession::angleKnownDeg, panel, &DevicePanel::showAngleDeg);
+  connect(devices, &DeviceSession::opening, this,
+          [this] { window_.showPhase(ScanPhase::kConnecting); });
   connect(devices, &DeviceSession::cameraTold, panel, &DevicePanel::showCamera);
+  connect(devices, &DeviceSession::cameraTold, this, [this] {
+    locked_ = true;
+    showSteps();
+  });
   connect(devices, &DeviceSession::frameArrived, window_.work_page->camera_view,
           &CameraView::showFrame);
   connect(devices, &DeviceSession::closed, this, [this] {
     window_.work_page->camera_view->clear(tr("No camera yet"));
     placed_ = false;
+    locked_ = false;
   });
 }
 
@@ -271,7 +276,6 @@ void Workbench::runDemo(const QString& object, int views, const QString& folder)
   window_.work_page->scan_panel->setFolder(folder);
   window_.work_page->device_panel->choose("sim:" + object, "sim");
   window_.showWork(Step::kScan);
-  window_.showPhase(ScanPhase::kConnecting);
   controller_.devices().open("sim:" + object, "sim");
 }
 
@@ -305,11 +309,12 @@ void Workbench::showSteps() {
   states[at(Step::kConnect)] = !open                             ? StepState::kNow
                                : controller_.devices().mayMove() ? StepState::kDone
                                                                  : StepState::kAttention;
+  if (open) states[at(Step::kFocus)] = locked_ || placed_ ? StepState::kDone : StepState::kNow;
   if (controller_.calibration()) {
     states[at(Step::kCalibrate)] = controller_.calibration()->calibration.cam_from_table
                                        ? StepState::kDone
                                        : StepState::kAttention;
-  } else if (open) {
+  } else if (locked_) {
     states[at(Step::kCalibrate)] = StepState::kNow;
   }
   if (placed_) states[at(Step::kPlace)] = StepState::kDone;

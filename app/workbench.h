@@ -53,8 +53,9 @@ class Workbench final : public QObject {
   MeasureController measures_;
   JobRunner small_jobs_;  // lists devices, writes thumbnails
   QString device_id_;
-  QString kept_file_;  // of the calibration in use
+  QString kept_file_;         // of the calibration in use
   QString title_;
+  bool locked_ = false;  // the camera, since it was opened
   bool placed_ = false;
   bool quiet_ = false;  // nothing of the scan goes on, and the window was told to close
   bool demo_ = false;   // the demo goes on by itself until its scan has started

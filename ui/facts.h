@@ -41,8 +41,8 @@ struct ScanFacts {
   std::optional<double> median_sigma_mm;
 };
 
-enum class Step { kConnect, kCalibrate, kPlace, kScan, kMesh, kExport };
-inline constexpr std::size_t kStepCount = 6;
+enum class Step { kConnect, kFocus, kCalibrate, kPlace, kScan, kMesh, kExport };
+inline constexpr std::size_t kStepCount = 7;
 
 enum class StepState { kTodo, kNow, kDone, kAttention };
 using StepStates = std::array<StepState, kStepCount>;

@@ -29,6 +29,7 @@
 #include "ui/banner.h"
 #include "ui/device_panel.h"
 #include "ui/export_panel.h"
+#include "ui/focus_panel.h"
 #include "ui/job_bar.h"
 #include "ui/place_panel.h"
 #include "ui/scan_panel.h"
@@ -342,6 +343,20 @@ TEST_F(WorkbenchTest, StopsAQuickLookAtOnceAndScansAllTheSame) {
   page->scan_panel->setFolder(scanFolder());
   press(page->job_bar, "Start");
   EXPECT_TRUE(waitForViews(3));
+}
+
+TEST_F(WorkbenchTest, OpensTheCameraAnewInTheModeThatIsChosenAndJudgesItsPictures) {
+  WorkPage* page = bench_->window().work_page;
+  bench_->window().showWork(Step::kFocus);
+  connectByHand("sim:duck");
+  QSignalSpy closed(&controller().devices(), &DeviceSession::closed);
+  QSignalSpy opened(&controller().devices(), &DeviceSession::opened);
+  Q_EMIT page->focus_panel->modeChosen("640x480");  // a simulated camera has but one
+  ASSERT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience_ms));
+  EXPECT_EQ(closed.count(), 1);
+  EXPECT_EQ(controller().phase(), ScanPhase::kReady);
+  QSignalSpy seen(&bench_->calibrations(), &CalibrationController::focusSeen);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return seen.count() >= 2; }, kPatience_ms));
 }
 
 TEST_F(WorkbenchTest, ShowsTheLivePictureWhileNothingElseRuns) {
