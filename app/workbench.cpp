@@ -147,6 +147,7 @@ void Workbench::wireScan() {
     window_.showWork(Step::kScan);
   });
   connect(page->scan_panel, &ScanPanel::startRequested, this, &Workbench::startScan);
+  connect(page->scan_panel, &ScanPanel::folderChanged, this, &Workbench::showCost);
   connect(page->scan_panel, &ScanPanel::resumeRequested, &controller_, &ScanController::resumeScan);
   connect(page->job_bar, &JobBar::startRequested, this, &Workbench::startScan);
   connect(&window_, &MainWindow::pauseRequested, &controller_, &ScanController::pause);
@@ -253,6 +254,11 @@ void Workbench::devicesOpened(const TurntableInfo& turntable, const CameraInfo& 
   } else {
     panel->askWhetherTurntable();
   }
+  picture_size_ = {camera.width_px, camera.height_px};
+  // Where the scan would be kept, so that its disk is known before it is begun.
+  ScanPanel* scan = window_.work_page->scan_panel;
+  if (scan->folder().isEmpty()) scan->setFolder(settings_.newScanFolder(title_));
+  showCost();
   showSteps();
   if (demo_) controller_.takeEmptyTable();
 }

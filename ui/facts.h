@@ -41,6 +41,15 @@ struct ScanFacts {
   std::optional<double> median_sigma_mm;
 };
 
+// What a scan takes, before it is begun.
+struct ScanCost {
+  double turn_s = 0.0;            // of turning, however many views there are
+  double view_s = 0.0;            // more for each view
+  double view_mb = 0.0;           // on the disk, at most
+  double results_mb = 0.0;        // once
+  std::optional<double> free_mb;  // on that disk; nothing when it is not told
+};
+
 enum class Step { kConnect, kFocus, kCalibrate, kPlace, kScan, kMesh, kExport };
 inline constexpr std::size_t kStepCount = 7;
 

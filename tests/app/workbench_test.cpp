@@ -359,6 +359,13 @@ TEST_F(WorkbenchTest, OpensTheCameraAnewInTheModeThatIsChosenAndJudgesItsPicture
   EXPECT_TRUE(QTest::qWaitFor([&] { return seen.count() >= 2; }, kPatience_ms));
 }
 
+TEST_F(WorkbenchTest, TellsTimeAndRoomBeforeAScanBegins) {
+  WorkPage* page = bench_->window().work_page;
+  connectByHand("sim:duck");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return tells(page->scan_panel, " free"); }, kPatience_ms));
+  EXPECT_TRUE(tells(page->scan_panel, "0:50"));  // 18 s of turning, 72 views of 0.45 s
+}
+
 TEST_F(WorkbenchTest, ShowsTheLivePictureWhileNothingElseRuns) {
   DeviceSession& devices = controller().devices();
   QSignalSpy frames(&devices, &DeviceSession::frameArrived);
