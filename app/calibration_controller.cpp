@@ -177,11 +177,20 @@ void CalibrationController::print(const QString& word, const QString& page, cons
 void CalibrationController::watch(WizardStep step) {
   if (step != WizardStep::kPlace) cancelHand();
   watched_ = step;
-  if (step == WizardStep::kFocus) sharpest_ = 0.0;
-  // In a simulated room nobody else has hands to put something on the table.
+  loadTable();
+}
+
+// In a simulated room nobody else has hands to put something on the table.
+void CalibrationController::loadTable() {
   if (devices_.isOpen() && devices_.rig()->room) {
     devices_.rig()->room->setTable(TableLoad::kObject);
   }
+}
+
+void CalibrationController::watchFocus() {
+  watches_focus_ = true;
+  sharpest_ = 0.0;
+  loadTable();
 }
 
 void CalibrationController::stopWatching() {
@@ -191,8 +200,12 @@ void CalibrationController::stopWatching() {
 
 void CalibrationController::lookAt(const FramePtr& frame) {
   newest_ = frame;
-  if (!watched_ || turning_ || picks_ || look_jobs_.busy()) return;
-  if (*watched_ == WizardStep::kFocus) lookAtFocus(frame);
+  if (turning_ || picks_ || look_jobs_.busy()) return;
+  if (watches_focus_) {
+    lookAtFocus(frame);
+    return;
+  }
+  if (!watched_) return;
   if (*watched_ == WizardStep::kPlace && chosen_) lookForTarget(frame);
 }
 

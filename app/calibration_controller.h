@@ -40,6 +40,9 @@ class CalibrationController final : public QObject {
   // What live pictures are looked at for from now on.
   void watch(gyre::WizardStep step);
   void stopWatching();
+  // Live pictures are judged by how sharp and bright they are, before anything else.
+  void watchFocus();
+  void stopWatchingFocus() { watches_focus_ = false; }
   void lookAt(const gyre::FramePtr& frame);
   // The lens that may be kept when only the camera's place is measured.
   void knowLens(const gyre::CameraModel& lens);
@@ -72,6 +75,7 @@ class CalibrationController final : public QObject {
  private:
   struct Chosen;  // the target as it truly is, with its choice
 
+  void loadTable();
   void lookAtFocus(const FramePtr& frame);
   void lookForTarget(const FramePtr& frame);
   void useClicks();
@@ -85,6 +89,7 @@ class CalibrationController final : public QObject {
   FramePtr newest_;
   CalibrationOutcomePtr outcome_;
   double sharpest_ = 0.0;
+  bool watches_focus_ = false;
   bool turning_ = false;
   JobRunner look_jobs_;
 };

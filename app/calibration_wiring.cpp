@@ -9,13 +9,13 @@
 #include "app/scan_controller.h"
 #include "ui/banner.h"
 #include "ui/calibration_panel.h"
-#include "ui/calibration_wizard/focus_page.h"
 #include "ui/calibration_wizard/place_page.h"
 #include "ui/calibration_wizard/result_page.h"
 #include "ui/calibration_wizard/target_page.h"
 #include "ui/calibration_wizard/turn_page.h"
 #include "ui/camera_view.h"
 #include "ui/chime.h"
+#include "ui/focus_panel.h"
 #include "ui/scene_view.h"
 #include "ui/work_page.h"
 
@@ -73,8 +73,19 @@ void wireWishes(WorkPage& page, CalibrationController& calibrations, ScanControl
                      if (step == WizardStep::kPlace) sound(Chime::kPlace);
                      calibrations.watch(step);
                    });
-  QObject::connect(wizard.focus_page, &FocusPage::lockRequested, &scans.devices(),
+  QObject::connect(page.focus_panel, &FocusPanel::lockRequested, &scans.devices(),
                    &DeviceSession::lockCamera);
+  QObject::connect(page.focus_panel, &FocusPanel::modeChosen, &scans.devices(),
+                   &DeviceSession::reopenInMode);
+  QObject::connect(page.focus_panel, &FocusPanel::goOnRequested, &page,
+                   [&page] { page.showStep(Step::kCalibrate); });
+  QObject::connect(&page, &WorkPage::stepShown, &calibrations, [&calibrations](Step step) {
+    if (step == Step::kFocus) {
+      calibrations.watchFocus();
+    } else {
+      calibrations.stopWatchingFocus();
+    }
+  });
   QObject::connect(wizard.target_page, &TargetPage::targetChosen, &calibrations,
                    &Controller::chooseTarget);
   QObject::connect(wizard.target_page, &TargetPage::printRequested, &calibrations,
@@ -128,7 +139,7 @@ void wireFacts(WorkPage& page, CalibrationController& calibrations) {
                    &TargetPage::showProblem);
   QObject::connect(&calibrations, &Controller::printed, wizard.target_page,
                    &TargetPage::showPrinted);
-  QObject::connect(&calibrations, &Controller::focusSeen, wizard.focus_page, &FocusPage::showFocus);
+  QObject::connect(&calibrations, &Controller::focusSeen, page.focus_panel, &FocusPanel::showFocus);
   QObject::connect(&calibrations, &Controller::sightSeen, wizard.place_page,
                    &PlaceTargetPage::showSight);
   QObject::connect(
@@ -168,15 +179,21 @@ void wireCalibration(WorkPage& page, CalibrationController& calibrations, ScanCo
   CalibrationPanel* panel = page.calibration_panel;
   QObject::connect(&devices, &DeviceSession::frameArrived, &calibrations,
                    &CalibrationController::lookAt);
-  QObject::connect(&devices, &DeviceSession::cameraTold, panel->wizard->focus_page,
-                   &FocusPage::showLocks);
+  QObject::connect(&devices, &DeviceSession::cameraTold, page.focus_panel, &FocusPanel::showLocks);
+  QObject::connect(&devices, &DeviceSession::cameraTold, panel, &CalibrationPanel::allowMeasuring);
   QObject::connect(&devices, &DeviceSession::progressed, panel->wizard->turn_page,
                    [&calibrations, panel](double fraction, const QString& stage) {
                      if (calibrations.turning()) {
                        panel->wizard->turn_page->showRunning(fraction, stage);
                      }
                    });
-  QObject::connect(&devices, &DeviceSession::opened, panel, &CalibrationPanel::allowMeasuring);
+  QObject::connect(&devices, &DeviceSession::opened, panel,
+                   [&page, &calibrations, panel](const TurntableInfo&, const CameraInfo& camera) {
+                     page.focus_panel->showCamera(camera);
+                     if (page.shownStep() == Step::kFocus) calibrations.watchFocus();
+                     panel->forbidMeasuring(
+                         CalibrationPanel::tr("Frame, focus and lock the camera first (step 2)."));
+                   });
   QObject::connect(&devices, &DeviceSession::closed, panel, [panel] {
     panel->showOverview();
     panel->forbidMeasuring(CalibrationPanel::tr("Connect turntable and camera first (step 1)."));

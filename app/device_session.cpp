@@ -38,14 +38,20 @@ DeviceSession::DeviceSession(RigOptions options, QObject* parent)
 DeviceSession::~DeviceSession() { requestStop(); }
 
 void DeviceSession::open(const QString& turntable, const QString& camera) {
+  openWith(options_, turntable, camera);
+}
+
+void DeviceSession::openWith(const RigOptions& options, const QString& turntable,
+                             const QString& camera) {
   if (isOpen() || table_jobs_.busy()) return;
+  Q_EMIT opening();
   turntable_word_ = turntable;
   camera_word_ = camera;
   confirmed_ = namesSimulation(turntable.toStdString());
   preview_failed_ = false;
   auto result = std::make_shared<Opened>();
   table_jobs_.start(
-      [result, options = options_, turntable_word = turntable.toStdString(),
+      [result, options, turntable_word = turntable.toStdString(),
        camera_word = camera.toStdString()](const Task& task) -> Result<void> {
         auto rig = openRig(turntable_word, camera_word, options, task);
         if (!rig) return rig.error();
@@ -72,6 +78,12 @@ void DeviceSession::close() {
   camera_jobs_.requestStop();
   table_jobs_.start([rig = std::exchange(rig_, nullptr)](const Task&) { return Result<void>(); },
                     [this](const Result<void>&) { Q_EMIT closed(); });
+}
+
+void DeviceSession::reopenInMode(const QString& mode) {
+  if (!isOpen() || table_jobs_.busy()) return;
+  reopen_in_ = mode;
+  close();
 }
 
 void DeviceSession::confirmTurntable() { confirmed_ = true; }
@@ -174,7 +186,14 @@ void DeviceSession::startPreview() {
 // A job's own `done` still counts as busy: whatever goes on by itself begins here.
 void DeviceSession::noteIdle() {
   startPreview();
-  if (!busy()) Q_EMIT idle();
+  if (busy()) return;
+  if (reopen_in_ && !isOpen()) {  // not before: the preview may have held the camera until now
+    RigOptions options = options_;
+    options.camera_mode = std::exchange(reopen_in_, std::nullopt)->toStdString();
+    openWith(options, turntable_word_, camera_word_);
+    return;
+  }
+  Q_EMIT idle();
 }
 
 }  // namespace gyre

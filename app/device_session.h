@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <QObject>
 
@@ -29,6 +30,7 @@ class DeviceSession final : public QObject {
   const std::shared_ptr<Rig>& rig() const { return rig_; }
   const QString& turntableWord() const { return turntable_word_; }
   const QString& cameraWord() const { return camera_word_; }
+  const RigOptions& options() const { return options_; }
 
   // A job that has turntable and camera to itself; the live picture pauses meanwhile.
   void runAlone(JobRunner::Job job, JobRunner::Done done);
@@ -44,9 +46,12 @@ class DeviceSession final : public QObject {
   void turnToDeg(double to_deg);
   void releaseMotor();
   void lockCamera();
+  // Lets go of both and opens them again, the camera in this mode: "1920x1080@MJPG@30".
+  void reopenInMode(const QString& mode);
   void startPreview();
 
  Q_SIGNALS:
+  void opening();
   void opened(const gyre::TurntableInfo& turntable, const gyre::CameraInfo& camera);
   void closed();
   void openFailed(const gyre::Error& error);
@@ -58,10 +63,12 @@ class DeviceSession final : public QObject {
   void idle();  // no job runs any more
 
  private:
+  void openWith(const RigOptions& options, const QString& turntable, const QString& camera);
   void move(std::function<double(double now_deg)> target_deg);
   void noteIdle();
 
   const RigOptions options_;
+  std::optional<QString> reopen_in_;  // once both are closed
   std::shared_ptr<Rig> rig_;
   QString turntable_word_;
   QString camera_word_;

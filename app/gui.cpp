@@ -49,9 +49,8 @@ constexpr int kPatience_ms = 600000;
 
 // The wizard's pages among the scenes.
 std::optional<WizardStep> wizardStep(const std::string& scene) {
-  constexpr std::array<std::pair<const char*, WizardStep>, 5> kPages = {
-      {{"focus", WizardStep::kFocus},
-       {"target", WizardStep::kTarget},
+  constexpr std::array<std::pair<const char*, WizardStep>, 4> kPages = {
+      {{"target", WizardStep::kTarget},
        {"calibrate", WizardStep::kPlace},
        {"turn", WizardStep::kTurn},
        {"verdict", WizardStep::kResult}}};
@@ -112,6 +111,14 @@ class Photographer final : public QObject {
       return;
     }
     const QString object = QString::fromStdString(options.object);
+    if (options.scene == "focus") {
+      showFocus(object);
+      return;
+    }
+    if (options.scene == "place") {
+      showPlacing(object);
+      return;
+    }
     bench_.runDemo(object, kPictureViews, work_.filePath(object));
     if (options.scene == "scan") {
       connect(&bench_.controller(), &ScanController::factsChanged, this,
@@ -124,6 +131,28 @@ class Photographer final : public QObject {
   }
 
  private:
+  // The step in which the object is framed and focused, with the camera locked.
+  void showFocus(const QString& object) {
+    DeviceSession* devices = &bench_.controller().devices();
+    bench_.window().showWork(Step::kFocus);
+    connect(devices, &DeviceSession::opened, devices, &DeviceSession::lockCamera);
+    connect(devices, &DeviceSession::cameraTold, this, [this] {
+      connect(&bench_.calibrations(), &CalibrationController::focusSeen, this,
+              [this] { takeSoon(); });
+    });
+    devices->open("sim:" + object, "sim");
+  }
+  // The step in which the object is placed, after a quick look at it.
+  void showPlacing(const QString& object) {
+    ScanController* scans = &bench_.controller();
+    bench_.window().showWork(Step::kPlace);
+    connect(&scans->devices(), &DeviceSession::opened, scans, &ScanController::takeEmptyTable);
+    connect(scans, &ScanController::emptyTableTaken, scans, &ScanController::quickLook);
+    connect(scans, &ScanController::quickLookTaken, this, [this](const QuickLookPtr& look) {
+      if (look) takeSoon();
+    });
+    scans->devices().open("sim:" + object, "sim");
+  }
   void showSurface() {
     WorkPage* page = bench_.window().work_page;
     page->scene_view->fit();
@@ -157,9 +186,6 @@ class Photographer final : public QObject {
       if (step == WizardStep::kTarget) takeSoon();
     });
     CalibrationController* calibrations = &bench_.calibrations();
-    connect(calibrations, &CalibrationController::focusSeen, this, [this, step] {
-      if (step == WizardStep::kFocus) takeSoon();
-    });
     connect(calibrations, &CalibrationController::sightSeen, this,
             [this, panel, calibrations, step](const TargetSight& sight) {
               if (!sight.passes) return;
@@ -204,12 +230,12 @@ class Photographer final : public QObject {
 
 // What is wrong with the words of a screenshot; empty when nothing is.
 std::string wrongWord(const GuiOptions& options) {
-  constexpr std::array kScenes = {"start", "scan", "mesh", "clean", "measure"};
+  constexpr std::array kScenes = {"start", "focus", "place", "scan", "mesh", "clean", "measure"};
   const bool known = wizardStep(options.scene) ||
                      std::find(kScenes.begin(), kScenes.end(), options.scene) != kScenes.end();
   if (!known) {
     return "There is no such scene. Give --scene start, focus, target, calibrate, turn, verdict, "
-           "scan, mesh, clean or measure.";
+           "place, scan, mesh, clean or measure.";
   }
   const std::vector<std::string>& objects = objectNames();
   if (std::find(objects.begin(), objects.end(), options.object) == objects.end()) {

@@ -94,31 +94,10 @@ bool ScanController::useCalibration(const std::filesystem::path& file) {
   return true;
 }
 
-void ScanController::takeEmptyTable() {
-  if (!devices_.isOpen() || isCapturing(phase_)) return;
-  const ScanPhase before = phase_;
-  setPhase(ScanPhase::kEmptyTable);
-  auto picture = std::make_shared<EmptyTable>();
-  devices_.runAlone(
-      [rig = devices_.rig(), picture](const Task& task) -> Result<void> {
-        auto taken = pictureOfEmptyTable(*rig, task);
-        if (!taken) return taken.error();
-        *picture = std::move(taken).value();
-        return {};
-      },
-      [this, before, picture](const Result<void>& outcome) {
-        setPhase(before);
-        if (!outcome) {
-          if (outcome.error().code != Error::Code::kCancelled) Q_EMIT failed(outcome.error());
-          return;
-        }
-        empty_table_ = *picture;
-        Q_EMIT emptyTableTaken();
-      });
-}
-
 bool ScanController::readyToScan() {
-  if (isCapturing(phase_) || phase_ == ScanPhase::kFinishing) return false;
+  if (isCapturing(phase_) || phase_ == ScanPhase::kFinishing || phase_ == ScanPhase::kQuickLook) {
+    return false;
+  }
   if (!devices_.isOpen()) {
     return refuse(tr("Nothing is connected."), tr("Connect a turntable and a camera (step 1)."));
   }
@@ -128,7 +107,7 @@ bool ScanController::readyToScan() {
   }
   if (!calibration_ || !calibration_->calibration.cam_from_table) {
     return refuse(tr("The camera's place at the table is not known."),
-                  tr("Open a calibration made with this camera and table (step 2)."));
+                  tr("Open a calibration made with this camera and table (step 3)."));
   }
   return true;
 }
@@ -254,7 +233,7 @@ void ScanController::finished(const Result<void>& outcome, const std::shared_ptr
       stopped_rig_ = devices_.rig();
       Q_EMIT noticed(tr("Stopped. What was captured is kept in %1.")
                          .arg(QString::fromStdString(folder_.string())),
-                     tr("Step 4 can go on with this scan."));
+                     tr("Step 5 can go on with this scan."));
     } else {
       Q_EMIT failed(outcome.error());
     }

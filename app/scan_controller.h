@@ -20,6 +20,7 @@
 #include "core/scan/mesh_health.h"
 #include "core/scan/mesh_method.h"
 #include "core/scan/point_cloud.h"
+#include "core/scan/quick_look.h"
 #include "core/scan/tracked_frame.h"
 #include "ui/facts.h"
 
@@ -55,6 +56,8 @@ class ScanController final : public QObject {
  public Q_SLOTS:
   bool useCalibration(const std::filesystem::path& file);  // false: told why not
   void takeEmptyTable();
+  // One turn with a few pictures, and what they say of the object. stop() ends it, and the table.
+  void quickLook();
   void startScan(const gyre::ScanRequest& request);
   void resumeScan();  // captures what the last scan, or an opened one, does not hold yet
   void pause();
@@ -73,6 +76,8 @@ class ScanController final : public QObject {
   void phaseChanged(gyre::ScanPhase phase);
   void calibrationKnown(const gyre::CalibrationRecord& record, const QString& source);
   void emptyTableTaken();
+  void lookedAt(const gyre::FramePtr& frame);           // during a quick look
+  void quickLookTaken(const gyre::QuickLookPtr& look);  // null: what was told holds no longer
   void tracked(const gyre::TrackedFramePtr& frame);
   void cloudGrew(const gyre::PointCloudPtr& cloud);
   void factsChanged(const gyre::ScanFacts& facts);

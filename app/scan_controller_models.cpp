@@ -185,7 +185,7 @@ void ScanController::takeOpened(const OpenedModel& opened) {
     Q_EMIT noticed(tr("This scan was interrupted after %1 of %2 views.")
                        .arg(opened.views_done)
                        .arg(opened.views),
-                   tr("Connect the same turntable and camera; step 4 can go on with it."));
+                   tr("Connect the same turntable and camera; step 5 can go on with it."));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <QUrl>
 
 #include "app/calibration_wiring.h"
+#include "app/place_wiring.h"
 #include "app/surface_wiring.h"
 #include "core/device/discovery.h"
 #include "core/scan/point_cloud.h"
@@ -53,6 +54,7 @@ Workbench::Workbench(const RigOptions& rig)
   wireDevices();
   wireScan();
   wireResults();
+  wirePlace(*window_.work_page, controller_);
   wireSurface(*window_.work_page, controller_, measures_);
   wireFacts();
   wireCalibration(*window_.work_page, calibrations_, controller_);
@@ -103,14 +105,12 @@ void Workbench::wireDevices() {
           [this, devices](const QString& turntable, const QString& camera) {
             window_.work_page->banner->dismiss();
             settings_.setDevices(turntable, camera);
-            window_.showPhase(ScanPhase::kConnecting);
             devices->open(turntable, camera);
           });
   connect(panel, &DevicePanel::disconnectRequested, devices, &DeviceSession::close);
   connect(panel, &DevicePanel::turnRequestedDeg, devices, &DeviceSession::turnByDeg);
   connect(panel, &DevicePanel::angleRequestedDeg, devices, &DeviceSession::turnToDeg);
   connect(panel, &DevicePanel::releaseRequested, devices, &DeviceSession::releaseMotor);
-  connect(panel, &DevicePanel::lockRequested, devices, &DeviceSession::lockCamera);
   connect(panel, &DevicePanel::turntableConfirmed, this, [this, devices] {
     settings_.rememberTurntable(device_id_);
     devices->confirmTurntable();
@@ -122,34 +122,38 @@ void Workbench::wireDevices() {
     window_.showPhase(controller_.phase());
   });
   connect(devices, &DeviceSession::angleKnownDeg, panel, &DevicePanel::showAngleDeg);
+  connect(devices, &DeviceSession::opening, this,
+          [this] { window_.showPhase(ScanPhase::kConnecting); });
   connect(devices, &DeviceSession::cameraTold, panel, &DevicePanel::showCamera);
+  connect(devices, &DeviceSession::cameraTold, this, [this] {
+    locked_ = true;
+    showSteps();
+  });
   connect(devices, &DeviceSession::frameArrived, window_.work_page->camera_view,
           &CameraView::showFrame);
   connect(devices, &DeviceSession::closed, this, [this] {
     window_.work_page->camera_view->clear(tr("No camera yet"));
-    window_.work_page->place_panel->reset();
     placed_ = false;
+    locked_ = false;
   });
 }
 
 void Workbench::wireScan() {
   WorkPage* page = window_.work_page;
   connect(page->calibration_panel, &CalibrationPanel::fileChosen, this, &Workbench::useCalibration);
-  connect(page->place_panel, &PlacePanel::emptyTableRequested, &controller_,
-          &ScanController::takeEmptyTable);
   connect(page->place_panel, &PlacePanel::objectPlaced, this, [this] {
     placed_ = true;
     showSteps();
     window_.showWork(Step::kScan);
   });
   connect(page->scan_panel, &ScanPanel::startRequested, this, &Workbench::startScan);
+  connect(page->scan_panel, &ScanPanel::folderChanged, this, &Workbench::showCost);
   connect(page->scan_panel, &ScanPanel::resumeRequested, &controller_, &ScanController::resumeScan);
   connect(page->job_bar, &JobBar::startRequested, this, &Workbench::startScan);
   connect(&window_, &MainWindow::pauseRequested, &controller_, &ScanController::pause);
   connect(&window_, &MainWindow::resumeRequested, &controller_, &ScanController::resume);
   connect(&window_, &MainWindow::stopRequested, &controller_, &ScanController::stop);
   connect(&controller_, &ScanController::emptyTableTaken, this, [this] {
-    window_.work_page->place_panel->showEmptyTableTaken();
     showSteps();
     if (demo_) {
       demo_ = false;
@@ -250,6 +254,11 @@ void Workbench::devicesOpened(const TurntableInfo& turntable, const CameraInfo& 
   } else {
     panel->askWhetherTurntable();
   }
+  picture_size_ = {camera.width_px, camera.height_px};
+  // Where the scan would be kept, so that its disk is known before it is begun.
+  ScanPanel* scan = window_.work_page->scan_panel;
+  if (scan->folder().isEmpty()) scan->setFolder(settings_.newScanFolder(title_));
+  showCost();
   showSteps();
   if (demo_) controller_.takeEmptyTable();
 }
@@ -273,7 +282,6 @@ void Workbench::runDemo(const QString& object, int views, const QString& folder)
   window_.work_page->scan_panel->setFolder(folder);
   window_.work_page->device_panel->choose("sim:" + object, "sim");
   window_.showWork(Step::kScan);
-  window_.showPhase(ScanPhase::kConnecting);
   controller_.devices().open("sim:" + object, "sim");
 }
 
@@ -307,11 +315,12 @@ void Workbench::showSteps() {
   states[at(Step::kConnect)] = !open                             ? StepState::kNow
                                : controller_.devices().mayMove() ? StepState::kDone
                                                                  : StepState::kAttention;
+  if (open) states[at(Step::kFocus)] = locked_ || placed_ ? StepState::kDone : StepState::kNow;
   if (controller_.calibration()) {
     states[at(Step::kCalibrate)] = controller_.calibration()->calibration.cam_from_table
                                        ? StepState::kDone
                                        : StepState::kAttention;
-  } else if (open) {
+  } else if (locked_) {
     states[at(Step::kCalibrate)] = StepState::kNow;
   }
   if (placed_) states[at(Step::kPlace)] = StepState::kDone;

@@ -9,6 +9,7 @@
 #include "app/measure_controller.h"
 #include "app/scan_controller.h"
 #include "app/settings.h"
+#include "core/scan/picture_size.h"
 #include "ui/main_window.h"
 
 namespace gyre {
@@ -44,6 +45,7 @@ class Workbench final : public QObject {
   void newScan();
   void startScan();
   void showSteps();
+  void showCost();
   void rememberScan();
 
   Settings settings_;
@@ -53,8 +55,10 @@ class Workbench final : public QObject {
   MeasureController measures_;
   JobRunner small_jobs_;  // lists devices, writes thumbnails
   QString device_id_;
-  QString kept_file_;  // of the calibration in use
+  PictureSize picture_size_;  // of the camera that is open
+  QString kept_file_;         // of the calibration in use
   QString title_;
+  bool locked_ = false;  // the camera, since it was opened
   bool placed_ = false;
   bool quiet_ = false;  // nothing of the scan goes on, and the window was told to close
   bool demo_ = false;   // the demo goes on by itself until its scan has started

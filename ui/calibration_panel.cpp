@@ -1,4 +1,4 @@
-// Step 2: what is known of camera and table, where it comes from, and the way to measure it.
+// Step 3: what is known of camera and table, where it comes from, and the way to measure it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/calibration_panel.h"
 
@@ -38,7 +38,7 @@ QWidget* CalibrationPanel::buildOverview() {
   card->addWidget(figures_);
   card->addWidget(quality_);
   measure_ = makePrimaryButton(tr("Calibrate"),
-                               tr("Measure camera and table with a printed target, in five pages"));
+                               tr("Measure camera and table with a printed target, in four pages"));
   hindrance_ = makeLabel(QString(), "muted");
   card->addWidget(measure_);
   card->addWidget(hindrance_);

@@ -1,4 +1,4 @@
-// Step 2: what is known of camera and table, where it comes from, and the way to measure it.
+// Step 3: what is known of camera and table, where it comes from, and the way to measure it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

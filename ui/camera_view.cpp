@@ -150,6 +150,10 @@ void CameraView::paintOverlay(QPainter& painter, double scale) const {
         painter.drawEllipse(at, 0.3 * radius, 0.3 * radius);
         break;
       }
+      case PictureMark::Shape::kLine:
+        painter.setPen(QPen(kArrowMark, line));
+        painter.drawLine(at, {(mark.to_px.x() + 0.5) * scale, (mark.to_px.y() + 0.5) * scale});
+        break;
     }
   }
 }

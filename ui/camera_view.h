@@ -16,10 +16,10 @@ using TrackedFramePtr = std::shared_ptr<const TrackedFrame>;
 
 // Something to point at in the picture. The shapes differ as well as the colours.
 struct PictureMark {
-  enum class Shape { kCircle, kCross, kArrow };
+  enum class Shape { kCircle, kCross, kArrow, kLine };
   Shape shape = Shape::kCircle;
   Eigen::Vector2f at_px = Eigen::Vector2f::Zero();  // raw picture coordinates
-  Eigen::Vector2f to_px = Eigen::Vector2f::Zero();  // of an arrow: its tip
+  Eigen::Vector2f to_px = Eigen::Vector2f::Zero();  // of an arrow: its tip; of a line: its end
 };
 
 // Shows the whole picture, as large as fits. Features are dots with tails of the last views:

@@ -1,4 +1,4 @@
-// Step 5: cleans the surface up, each change shown at once.
+// Step 6: cleans the surface up, each change shown at once.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -163,11 +163,6 @@ void DevicePanel::buildCamera(QVBoxLayout& layout) {
   camera_text_ = makeLabel(QString());
   camera_text_->setTextFormat(Qt::RichText);
   card->addWidget(camera_text_);
-  auto* lock = makeButton(tr("Lock focus and exposure"),
-                          tr("Hold focus, exposure, gain and white balance as they are now and "
-                             "read them back"));
-  card->addWidget(lock);
-  connect(lock, &QPushButton::clicked, this, &DevicePanel::lockRequested);
 }
 
 QString DevicePanel::turntable() const { return wordOf(*turntable_); }

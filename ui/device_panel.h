@@ -48,7 +48,6 @@ class DevicePanel final : public QWidget {
   void turnRequestedDeg(double by_deg);
   void angleRequestedDeg(double to_deg);
   void releaseRequested();
-  void lockRequested();
 
  private:
   void buildChoice(QVBoxLayout& layout);

@@ -1,4 +1,4 @@
-// Step 6: files for other programs.
+// Step 7: files for other programs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

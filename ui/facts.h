@@ -17,6 +17,7 @@ enum class ScanPhase {
   kConnecting,  // table and camera are being opened
   kReady,       // both answer; a scan can start
   kEmptyTable,  // the picture of the bare table is being taken
+  kQuickLook,   // the table turns once, for a few pictures around the object
   kScanning,
   kPaused,
   kStopping,   // the table slows down; the last view is being written
@@ -40,8 +41,17 @@ struct ScanFacts {
   std::optional<double> median_sigma_mm;
 };
 
-enum class Step { kConnect, kCalibrate, kPlace, kScan, kMesh, kExport };
-inline constexpr std::size_t kStepCount = 6;
+// What a scan takes, before it is begun.
+struct ScanCost {
+  double turn_s = 0.0;            // of turning, however many views there are
+  double view_s = 0.0;            // more for each view
+  double view_mb = 0.0;           // on the disk, at most
+  double results_mb = 0.0;        // once
+  std::optional<double> free_mb;  // on that disk; nothing when it is not told
+};
+
+enum class Step { kConnect, kFocus, kCalibrate, kPlace, kScan, kMesh, kExport };
+inline constexpr std::size_t kStepCount = 7;
 
 enum class StepState { kTodo, kNow, kDone, kAttention };
 using StepStates = std::array<StepState, kStepCount>;

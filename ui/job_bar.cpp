@@ -81,8 +81,8 @@ void JobBar::showPhase(ScanPhase phase) {
   pause_->setText(paused ? tr("Resume") : tr("Pause"));
   pause_->setIcon(themeIcon(paused ? "start" : "pause"));
   stop_->setEnabled(phase == ScanPhase::kScanning || paused || phase == ScanPhase::kConnecting ||
-                    phase == ScanPhase::kEmptyTable || phase == ScanPhase::kFinishing ||
-                    phase == ScanPhase::kMeshing);
+                    phase == ScanPhase::kEmptyTable || phase == ScanPhase::kQuickLook ||
+                    phase == ScanPhase::kFinishing || phase == ScanPhase::kMeshing);
   stage_->setText(phaseText(phase));
 }
 
@@ -120,6 +120,8 @@ QString phaseText(ScanPhase phase) {
       return JobBar::tr("Ready to scan");
     case ScanPhase::kEmptyTable:
       return JobBar::tr("Looking at the empty table…");
+    case ScanPhase::kQuickLook:
+      return JobBar::tr("Looking around the object…");
     case ScanPhase::kScanning:
       return JobBar::tr("Scanning");
     case ScanPhase::kPaused:

@@ -124,6 +124,10 @@ void MainWindow::buildShortcuts() {
 }
 
 void MainWindow::askStop() {
+  if (phase_ == ScanPhase::kQuickLook) {  // nothing is lost by it
+    Q_EMIT stopRequested();
+    return;
+  }
   work_page->banner->ask(tr("Stop the scan? What was captured is kept, and the scan can go on "
                             "later."),
                          tr("Stop"), tr("Go on"));
@@ -141,7 +145,7 @@ void MainWindow::showPhase(ScanPhase phase) {
   work_page->showPhase(phase);
   const bool running = phase == ScanPhase::kScanning || phase == ScanPhase::kPaused;
   pause_key_->setEnabled(running);
-  stop_key_->setEnabled(running);
+  stop_key_->setEnabled(running || phase == ScanPhase::kQuickLook);
 }
 
 void MainWindow::askOpen() {

@@ -1,4 +1,4 @@
-// Step 5: the lengths that were measured on the model, each beside what a caliper says.
+// Step 6: the lengths that were measured on the model, each beside what a caliper says.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Step 5: makes the surface, says what it is like, and chooses what is shown.
+// Step 6: makes the surface, says what it is like, and chooses what is shown.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mesh_panel.h"
 
@@ -166,7 +166,8 @@ void MeshPanel::showPoints(std::size_t points) {
 
 void MeshPanel::offer() {
   const bool works = isCapturing(phase_) || phase_ == ScanPhase::kFinishing ||
-                     phase_ == ScanPhase::kMeshing || phase_ == ScanPhase::kEmptyTable;
+                     phase_ == ScanPhase::kMeshing || phase_ == ScanPhase::kEmptyTable ||
+                     phase_ == ScanPhase::kQuickLook;
   make_->setEnabled(points_ > 0 && !works);
 }
 

@@ -1,4 +1,4 @@
-// Step 5: makes the surface, says what it is like, and chooses what is shown.
+// Step 6: makes the surface, says what it is like, and chooses what is shown.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,14 +1,15 @@
-// Step 3: the bare table is looked at once, then the object is put on it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/place_panel.h"
 
 #include "ui/parts.h"
+#include "ui/quick_look_card.h"
 
 namespace gyre {
 
 PlacePanel::PlacePanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGap_px);
   QVBoxLayout* card = nullptr;
   layout->addWidget(makeCard(card));
   card->addWidget(makeLabel(tr("The empty table"), "heading"));
@@ -25,11 +26,16 @@ PlacePanel::PlacePanel(QWidget* parent) : QWidget(parent) {
   object->addWidget(
       makeLabel(tr("Put the object in the middle of the table. From here on, the "
                    "camera may not be touched.")));
+  usable_ = makeLabel(QString(), "muted");
+  object->addWidget(usable_);
+  quick_look = new QuickLookCard;
+  layout->addWidget(quick_look);
   placed_ = makePrimaryButton(tr("The object is in place"), tr("Go on to the scan"));
-  object->addWidget(placed_);
+  layout->addWidget(placed_);
   layout->addStretch(1);
   connect(take_, &QPushButton::clicked, this, &PlacePanel::emptyTableRequested);
   connect(placed_, &QPushButton::clicked, this, &PlacePanel::objectPlaced);
+  showUsable(std::nullopt);
   reset();
 }
 
@@ -38,11 +44,23 @@ void PlacePanel::showPhase(ScanPhase phase) {
       phase == ScanPhase::kReady || phase == ScanPhase::kDone || phase == ScanPhase::kFailed;
   take_->setEnabled(at_rest);
   placed_->setEnabled(at_rest);
+  quick_look->showPhase(phase);
 }
 
 void PlacePanel::showEmptyTableTaken() { taken_->setText(tr("✓ The empty table has been seen.")); }
 
+void PlacePanel::showUsable(const std::optional<UsableCylinder>& cylinder) {
+  usable_->setText(cylinder
+                       ? tr("It stays in the picture at every angle inside the cylinder that is "
+                            "drawn: %1 mm wide and %2 mm high. What is narrower may be higher.")
+                             .arg(2.0 * cylinder->radius_mm, 0, 'f', 0)
+                             .arg(cylinder->height_mm, 0, 'f', 0)
+                       : tr("Where it stays in the picture is drawn once camera and table are "
+                            "calibrated."));
+}
+
 void PlacePanel::reset() {
+  quick_look->showLook(nullptr);
   taken_->setText(
       tr("Without it, the object is told from what stands still while the table turns."));
 }

@@ -101,9 +101,11 @@ RigActors::RigActors(vtkRenderer& renderer) {
   buildDisc(*platter_);
   buildGrid(*grid_);
   buildAxis(*axis_);
+  usable_->VisibilityOff();
   camera_->VisibilityOff();
   sight_->VisibilityOff();
-  for (vtkActor* actor : {platter_.Get(), grid_.Get(), axis_.Get(), camera_.Get(), sight_.Get()}) {
+  for (vtkActor* actor :
+       {platter_.Get(), grid_.Get(), axis_.Get(), usable_.Get(), camera_.Get(), sight_.Get()}) {
     actor->PickableOff();
     renderer.AddActor(actor);
   }
@@ -147,6 +149,25 @@ void RigActors::showCamera(const Calibration& calibration) {
   camera_->GetProperty()->SetColor(0.90, 0.55, 0.18);
   sight_->GetProperty()->SetColor(0.88, 0.68, 0.44);
   camera_->GetProperty()->SetLineWidth(2.0F);
+}
+
+void RigActors::showUsable(const std::optional<UsableCylinder>& cylinder) {
+  usable_->SetVisibility(cylinder.has_value() ? 1 : 0);
+  if (!cylinder) return;
+  constexpr int kUprightEvery = kRimCorners / 12;
+  Lines lines;
+  for (int i = 0; i < kRimCorners; ++i) {
+    for (const double height_mm : {0.0, cylinder->height_mm}) {
+      lines.add(rimPoint(i, cylinder->radius_mm, height_mm),
+                rimPoint(i + 1, cylinder->radius_mm, height_mm));
+    }
+    if (i % kUprightEvery == 0) {
+      lines.add(rimPoint(i, cylinder->radius_mm, 0.0),
+                rimPoint(i, cylinder->radius_mm, cylinder->height_mm));
+    }
+  }
+  lines.giveTo(*usable_);
+  usable_->GetProperty()->SetColor(0.20, 0.62, 0.90);
 }
 
 void RigActors::setTableAngleRad(double angle_rad) {

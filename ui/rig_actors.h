@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <vtkNew.h>
 
 #include "core/scan/calibration.h"
 #include "core/scan/point_cloud.h"
+#include "core/scan/usable_cylinder.h"
 
 class vtkActor;
 class vtkRenderer;
@@ -22,6 +24,8 @@ class RigActors {
 
   // Places the camera where it is at table angle 0; hides it when the calibration has no pose.
   void showCamera(const Calibration& calibration);
+  // Where an object stays in the picture: rims and upright lines; nothing hides it.
+  void showUsable(const std::optional<UsableCylinder>& cylinder);
   void setTableAngleRad(double angle_rad);
   // What the drawn camera fills now; empty while it is hidden. [mm]
   Bounds cameraBounds() const;
@@ -34,6 +38,7 @@ class RigActors {
   vtkNew<vtkActor> platter_;
   vtkNew<vtkActor> grid_;
   vtkNew<vtkActor> axis_;
+  vtkNew<vtkActor> usable_;
   vtkNew<vtkActor> camera_;
   vtkNew<vtkActor> sight_;  // the optical axis, from the camera to the height of the table's
 };

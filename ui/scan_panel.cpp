@@ -1,4 +1,4 @@
-// Step 4: how many views, and where they are kept.
+// Step 5: how many views, and where they are kept.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scan_panel.h"
 
@@ -11,6 +11,14 @@
 #include "ui/parts.h"
 
 namespace gyre {
+namespace {
+
+QString diskText(double megabytes) {
+  return megabytes < 1000.0 ? ScanPanel::tr("%1 MB").arg(megabytes, 0, 'f', 0)
+                            : ScanPanel::tr("%1 GB").arg(megabytes / 1000.0, 0, 'f', 1);
+}
+
+}  // namespace
 
 ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
@@ -49,6 +57,11 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   row->addWidget(folder_, 1);
   row->addWidget(browse);
   card->addLayout(row);
+  no_room_ =
+      makeLabel(tr("⚠ The disk may be too full. Free some space, choose another folder, or "
+                   "take fewer views."));
+  no_room_->hide();
+  card->addWidget(no_room_);
   start_ = makePrimaryButton(tr("Start the scan"), tr("The table will turn"));
   resume_ = makeButton(tr("Go on with this scan"), tr("Capture the views that are missing"));
   resume_->hide();
@@ -60,6 +73,7 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
     if (views > 0) views_->setValue(views);
   });
   connect(views_, &QSpinBox::valueChanged, this, &ScanPanel::showEstimate);
+  connect(folder_, &QLineEdit::textChanged, this, [this] { Q_EMIT folderChanged(folder()); });
   connect(browse, &QPushButton::clicked, this, [this] {
     const QString path = QFileDialog::getSaveFileName(
         this, tr("A folder for the scan"), folder(), QString(), nullptr, QFileDialog::ShowDirsOnly);
@@ -90,17 +104,21 @@ void ScanPanel::showPhase(ScanPhase phase) {
   folder_->setEnabled(!isCapturing(phase));
 }
 
-void ScanPanel::showCost(double seconds_per_view, double megabytes_per_view) {
-  seconds_per_view_ = seconds_per_view;
-  megabytes_per_view_ = megabytes_per_view;
+void ScanPanel::showCost(const ScanCost& cost) {
+  cost_ = cost;
   showEstimate();
 }
 
 void ScanPanel::showEstimate() {
-  if (seconds_per_view_ <= 0.0) return;
-  estimate_->setText(tr("About %1 minutes and %2 MB on the disk")
-                         .arg(clockText(seconds_per_view_ * views()))
-                         .arg(megabytes_per_view_ * views(), 0, 'f', 0));
+  if (!cost_) return;
+  const double seconds = cost_->turn_s + cost_->view_s * views();
+  const double wanted_mb = cost_->results_mb + cost_->view_mb * views();
+  QString text =
+      tr("About %1 minutes; at most %2 on the disk").arg(clockText(seconds), diskText(wanted_mb));
+  if (cost_->free_mb) text += tr(", which has %1 free").arg(diskText(*cost_->free_mb));
+  estimate_->setText(text + ".");
+  const bool too_full = cost_->free_mb && *cost_->free_mb < wanted_mb;
+  no_room_->setVisible(too_full);
 }
 
 }  // namespace gyre

@@ -1,6 +1,8 @@
-// Step 4: how many views, and where they are kept.
+// Step 5: how many views, and where they are kept.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
+#include <optional>
 
 #include <QWidget>
 
@@ -27,12 +29,12 @@ class ScanPanel final : public QWidget {
 
  public Q_SLOTS:
   void showPhase(gyre::ScanPhase phase);
-  // What one view takes, so that the cost is known before it is paid.
-  void showCost(double seconds_per_view, double megabytes_per_view);
+  void showCost(const gyre::ScanCost& cost);
 
  Q_SIGNALS:
   void startRequested();
   void resumeRequested();
+  void folderChanged(const QString& folder);  // its disk is another one, maybe
 
  private:
   void showEstimate();
@@ -43,8 +45,8 @@ class ScanPanel final : public QWidget {
   QLabel* estimate_;
   QPushButton* start_;
   QPushButton* resume_;
-  double seconds_per_view_ = 0.0;
-  double megabytes_per_view_ = 0.0;
+  QLabel* no_room_;
+  std::optional<ScanCost> cost_;
 };
 
 }  // namespace gyre

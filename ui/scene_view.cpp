@@ -92,6 +92,11 @@ void SceneView::showTableAngleRad(double angle_rad) {
   redraw();
 }
 
+void SceneView::showUsable(const std::optional<UsableCylinder>& cylinder) {
+  actors_->rig().showUsable(cylinder);
+  redraw();
+}
+
 void SceneView::showTarget(const Target& target, const Rigid3& table_from_target) {
   if (canvas_ == nullptr) return;
   actors_->target().show(target, table_from_target);

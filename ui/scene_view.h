@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QTimer>
@@ -13,6 +14,7 @@
 #include "core/scan/mesh.h"
 #include "core/scan/point_cloud.h"
 #include "core/scan/target.h"
+#include "core/scan/usable_cylinder.h"
 #include "ui/cloud_actors.h"
 #include "ui/mesh_actor.h"
 #include "ui/scene_camera.h"
@@ -46,6 +48,7 @@ class SceneView final : public QWidget {
   void showMesh(const gyre::MeshPtr& mesh);  // null: the cloud again
   void showCalibration(const gyre::Calibration& calibration);
   void showTableAngleRad(double angle_rad);
+  void showUsable(const std::optional<gyre::UsableCylinder>& cylinder);  // nothing hides it
   void showTarget(const gyre::Target& target, const gyre::Rigid3& table_from_target);
   void hideTarget();
   void setColours(gyre::CloudColours colours);

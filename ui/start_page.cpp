@@ -142,7 +142,7 @@ void StartPage::showEvent(QShowEvent* event) {
 
 void StartPage::showCalibration(const QString& sentence) {
   calibration_->setText(sentence.isEmpty()
-                            ? tr("Not calibrated yet: a real rig is calibrated once, in step 2.")
+                            ? tr("Not calibrated yet: a real rig is calibrated once, in step 3.")
                             : tr("Calibration: %1").arg(sentence));
 }
 

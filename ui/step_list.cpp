@@ -1,4 +1,4 @@
-// The six steps of a scan, each with a sign and its state in words.
+// The seven steps of a scan, each with a sign and its state in words.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/step_list.h"
 
@@ -115,9 +115,9 @@ StepList::StepList(QWidget* parent) : QWidget(parent) {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
   auto* group = new QButtonGroup(this);
-  const std::array<QString, kStepCount> titles = {tr("Connect"),          tr("Calibrate"),
-                                                  tr("Place the object"), tr("Scan"),
-                                                  tr("Surface"),          tr("Export")};
+  const std::array<QString, kStepCount> titles = {
+      tr("Connect"), tr("Frame and focus"), tr("Calibrate"), tr("Place the object"),
+      tr("Scan"),    tr("Surface"),         tr("Export")};
   for (std::size_t i = 0; i < kStepCount; ++i) {
     rows_[i] = new StepRow(static_cast<int>(i) + 1, titles[i]);
     group->addButton(rows_[i], static_cast<int>(i));

@@ -1,4 +1,4 @@
-// The six steps of a scan, each with a sign and its state in words.
+// The seven steps of a scan, each with a sign and its state in words.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -12,6 +12,7 @@
 #include "ui/clean_panel.h"
 #include "ui/device_panel.h"
 #include "ui/export_panel.h"
+#include "ui/focus_panel.h"
 #include "ui/job_bar.h"
 #include "ui/measure_panel.h"
 #include "ui/mesh_panel.h"
@@ -78,16 +79,17 @@ QWidget* WorkPage::buildSteps() {
   steps = new StepList;
   layout->addWidget(steps);
   device_panel = new DevicePanel;
+  focus_panel = new FocusPanel;
   calibration_panel = new CalibrationPanel;
   place_panel = new PlacePanel;
   scan_panel = new ScanPanel;
   mesh_panel = new MeshPanel;
   export_panel = new ExportPanel;
   panels_ = new QStackedWidget;
-  for (QWidget* panel :
-       {static_cast<QWidget*>(device_panel), static_cast<QWidget*>(calibration_panel),
-        static_cast<QWidget*>(place_panel), static_cast<QWidget*>(scan_panel),
-        static_cast<QWidget*>(mesh_panel), static_cast<QWidget*>(export_panel)}) {
+  for (QWidget* panel : {static_cast<QWidget*>(device_panel), static_cast<QWidget*>(focus_panel),
+                         static_cast<QWidget*>(calibration_panel),
+                         static_cast<QWidget*>(place_panel), static_cast<QWidget*>(scan_panel),
+                         static_cast<QWidget*>(mesh_panel), static_cast<QWidget*>(export_panel)}) {
     panels_->addWidget(new PanelScroll(panel));
   }
   layout->addWidget(panels_, 1);
@@ -141,11 +143,14 @@ QWidget* WorkPage::buildEditing() {
 
 void WorkPage::showPhase(ScanPhase phase) {
   device_panel->showPhase(phase);
+  focus_panel->showPhase(phase);
   place_panel->showPhase(phase);
   scan_panel->showPhase(phase);
   mesh_panel->showPhase(phase);
   job_bar->showPhase(phase);
 }
+
+Step WorkPage::shownStep() const { return static_cast<Step>(panels_->currentIndex()); }
 
 void WorkPage::showStep(Step step) {
   steps->setShown(step);
@@ -153,6 +158,7 @@ void WorkPage::showStep(Step step) {
   // Where the model is worked on it gets the camera's place.
   camera_frame_->setVisible(step != Step::kMesh && step != Step::kExport);
   editing_->setVisible(step == Step::kMesh);
+  Q_EMIT stepShown(step);
 }
 
 }  // namespace gyre

@@ -17,6 +17,7 @@ class CameraView;
 class CleanPanel;
 class DevicePanel;
 class ExportPanel;
+class FocusPanel;
 class JobBar;
 class MeasurePanel;
 class MeshPanel;
@@ -37,6 +38,7 @@ class WorkPage final : public QWidget {
   Banner* banner;
   StepList* steps;
   DevicePanel* device_panel;
+  FocusPanel* focus_panel;
   CalibrationPanel* calibration_panel;
   PlacePanel* place_panel;
   ScanPanel* scan_panel;
@@ -49,9 +51,14 @@ class WorkPage final : public QWidget {
   ModelTools* model_tools;  // over the scene
   JobBar* job_bar;
 
+  Step shownStep() const;
+
  public Q_SLOTS:
   void showPhase(gyre::ScanPhase phase);
   void showStep(gyre::Step step);
+
+ Q_SIGNALS:
+  void stepShown(gyre::Step step);
 
  private:
   QWidget* buildSteps();

@@ -131,6 +131,12 @@ std::string nameOf(V4l2Device& device, const std::string& path) {
   return card.empty() ? path : card + " (" + path + ")";
 }
 
+// As cameraModeFromText() reads it. Rates below one a second are none that can be asked for.
+std::string wordOf(const VideoMode& mode) {
+  const long rate = std::lround(mode.frames_per_s);
+  return rate > 0 ? mode.text() + "@" + std::to_string(rate) : mode.text();
+}
+
 Result<std::unique_ptr<FrameSource>> openDevice(const std::string& path,
                                                 const OpenCvSourceOptions& options) {
   std::error_code ignored;
@@ -155,6 +161,7 @@ Result<std::unique_ptr<FrameSource>> openDevice(const std::string& path,
   info.height_px = now ? now->height_px : mode->height_px;
   info.frames_per_s = now ? now->frames_per_s : mode->frames_per_s;
   if (now) info.mode = now->text();
+  for (const VideoMode& offered : modes) info.modes.push_back(wordOf(offered));
   return std::unique_ptr<FrameSource>(std::make_unique<OpenCvSource>(
       capture, std::move(device).value(), std::move(info), options.mains_hz));
 }

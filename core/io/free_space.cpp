@@ -27,18 +27,22 @@ std::uintmax_t bytesForScan(int views, const PictureSize& size) {
   return kBytesForResults + static_cast<std::uintmax_t>(kBytesPerPixel * pixels * views);
 }
 
-Result<void> checkFreeSpace(const std::filesystem::path& folder, std::uintmax_t wanted) {
+std::optional<std::uintmax_t> freeBytesAt(const std::filesystem::path& folder) {
   std::error_code problem;
   std::filesystem::path place = std::filesystem::absolute(folder, problem);
   while (!std::filesystem::exists(place, problem) && place.has_relative_path()) {
     place = place.parent_path();
   }
   const std::filesystem::space_info space = std::filesystem::space(place, problem);
-  if (problem || space.available == static_cast<std::uintmax_t>(-1) || space.available >= wanted) {
-    return {};
-  }
+  if (problem || space.available == static_cast<std::uintmax_t>(-1)) return std::nullopt;
+  return space.available;
+}
+
+Result<void> checkFreeSpace(const std::filesystem::path& folder, std::uintmax_t wanted) {
+  const auto available = freeBytesAt(folder);
+  if (!available || *available >= wanted) return {};
   return Error{Error::Code::kNoSpace,
-               "The disk of \"" + folder.string() + "\" has " + sizeText(space.available) +
+               "The disk of \"" + folder.string() + "\" has " + sizeText(*available) +
                    " free; this scan may take " + sizeText(wanted) + ".",
                "Free some space, choose another disk, or ask for fewer views."};
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "core/base/result.h"
 #include "core/scan/picture_size.h"
@@ -12,6 +13,10 @@ namespace gyre {
 
 // What so many noisy pictures of a size and the results made of them take. [bytes]
 std::uintmax_t bytesForScan(int views, const PictureSize& size);
+
+// Free on the disk on which the folder lies or would be made. Nothing when it cannot be told.
+// [bytes]
+std::optional<std::uintmax_t> freeBytesAt(const std::filesystem::path& folder);
 
 // kNoSpace, with both numbers, when the disk on which the folder lies or would be made has fewer
 // bytes free than wanted. Success when it cannot be told.

@@ -52,6 +52,8 @@ struct CameraInfo {
   double frames_per_s = 0.0;
   std::vector<ControlState> controls;
   std::string mode = {};  // "1920x1080@MJPG"; empty when the camera has but one
+  // All it can be opened in, as `mode` and with the rate, "1920x1080@MJPG@30"; empty when not told.
+  std::vector<std::string> modes = {};
 };
 
 }  // namespace gyre

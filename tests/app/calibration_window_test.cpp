@@ -25,13 +25,13 @@
 #include "core/sim/rig.h"
 #include "tests/support/qt_application.h"
 #include "ui/calibration_panel.h"
-#include "ui/calibration_wizard/focus_page.h"
 #include "ui/calibration_wizard/place_page.h"
 #include "ui/calibration_wizard/result_page.h"
 #include "ui/calibration_wizard/target_page.h"
 #include "ui/calibration_wizard/turn_page.h"
 #include "ui/camera_view.h"
 #include "ui/device_panel.h"
+#include "ui/focus_panel.h"
 #include "ui/work_page.h"
 
 namespace gyre {
@@ -54,13 +54,16 @@ class CalibrationWindow : public testing::Test {
     bench_ = std::make_unique<Workbench>(rig);
     bench_->window().show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&bench_->window()));
-    bench_->window().showWork(Step::kCalibrate);
+    bench_->window().showWork(Step::kFocus);
     Q_EMIT page().device_panel->connectRequested(turntable, "sim");
     ASSERT_TRUE(waitFor([this] { return bench_->controller().phase() == ScanPhase::kReady; }));
+    EXPECT_FALSE(button("Calibrate")->isEnabled()) << "the camera is not locked";
+    for (QPushButton* lock : page().focus_panel->findChildren<QPushButton*>()) {
+      if (lock->text().remove('&') == "Lock the camera") lock->click();
+    }
+    ASSERT_TRUE(waitFor([this] { return button("Calibrate")->isEnabled(); }));
+    bench_->window().showWork(Step::kCalibrate);
     press("Calibrate");
-    press("Lock the camera");
-    ASSERT_TRUE(waitFor([this] { return mayGoOn(); }));
-    press("Next");
   }
   void TearDown() override {
     if (!bench_) return;

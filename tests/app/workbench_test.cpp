@@ -14,6 +14,7 @@
 #include <QElapsedTimer>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -28,6 +29,7 @@
 #include "ui/banner.h"
 #include "ui/device_panel.h"
 #include "ui/export_panel.h"
+#include "ui/focus_panel.h"
 #include "ui/job_bar.h"
 #include "ui/place_panel.h"
 #include "ui/scan_panel.h"
@@ -165,16 +167,29 @@ class WorkbenchTest : public testing::Test {
     ASSERT_TRUE(found->isEnabled()) << text.toStdString();
     found->click();
   }
+  static bool tells(const QWidget* panel, const QString& text) {
+    for (const QLabel* label : panel->findChildren<QLabel*>()) {
+      if (label->text().contains(text) && label->isVisibleTo(panel)) return true;
+    }
+    return false;
+  }
+  void connectByHand(const QString& turntable) {
+    WorkPage* page = bench_->window().work_page;
+    page->device_panel->choose(turntable, "sim");
+    press(page->device_panel, "Connect");
+    ASSERT_TRUE(waitForPhase(ScanPhase::kReady));
+  }
+  void takeEmptyTableByHand() {
+    press(bench_->window().work_page->place_panel, "Take the picture");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return controller().hasEmptyTable(); }, kPatience_ms));
+  }
   // Connects, looks at the empty table and starts, by the buttons.
   void startByHand() {
     WorkPage* page = bench_->window().work_page;
     Q_EMIT bench_->window().newScanRequested();
     QTest::qWait(100);
-    page->device_panel->choose("sim:duck", "sim");
-    press(page->device_panel, "Connect");
-    ASSERT_TRUE(waitForPhase(ScanPhase::kReady));
-    press(page->place_panel, "Take the picture");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return controller().hasEmptyTable(); }, kPatience_ms));
+    connectByHand("sim:duck");
+    takeEmptyTableByHand();
     press(page->place_panel, "The object is in place");
     page->scan_panel->setViews(kViews);
     page->scan_panel->setFolder(scanFolder());
@@ -290,6 +305,65 @@ TEST_F(WorkbenchTest, ClosesInTheMiddleOfAScanAndLosesNothing) {
   const auto store = ScanStore::open(scanFolder().toStdString());
   ASSERT_TRUE(store.ok()) << store.error().sentence();
   EXPECT_GE(store->views().size(), 5U);
+}
+
+TEST_F(WorkbenchTest, LooksAroundTheObjectAndThenScansIt) {
+  WorkPage* page = bench_->window().work_page;
+  bench_->window().showWork(Step::kPlace);
+  connectByHand("sim:plain");
+  takeEmptyTableByHand();
+  QSignalSpy looks(&controller(), &ScanController::quickLookTaken);
+  QSignalSpy pictures(&controller(), &ScanController::lookedAt);
+  press(page->place_panel, "Look around the object");
+  EXPECT_EQ(controller().phase(), ScanPhase::kQuickLook);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return looks.count() == 2; }, kPatience_ms));
+  EXPECT_EQ(pictures.count(), 8);
+  EXPECT_TRUE(tells(page->place_panel, "stays in the picture"));
+  EXPECT_TRUE(tells(page->place_panel, "from its outlines"));  // it is plain
+  EXPECT_EQ(controller().phase(), ScanPhase::kReady);
+  press(page->place_panel, "The object is in place");
+  page->scan_panel->setFolder(scanFolder());
+  press(page->job_bar, "Start");
+  EXPECT_TRUE(waitForViews(3));
+}
+
+TEST_F(WorkbenchTest, StopsAQuickLookAtOnceAndScansAllTheSame) {
+  WorkPage* page = bench_->window().work_page;
+  bench_->window().showWork(Step::kPlace);
+  connectByHand("sim:duck");
+  QSignalSpy pictures(&controller(), &ScanController::lookedAt);
+  QSignalSpy failed(&controller(), &ScanController::failed);
+  press(page->place_panel, "Look around the object");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return pictures.count() >= 2; }, kPatience_ms));
+  press(page->place_panel, "Stop the table");
+  ASSERT_TRUE(waitForPhase(ScanPhase::kReady));
+  EXPECT_LT(pictures.count(), 8);
+  EXPECT_EQ(failed.count(), 0);
+  EXPECT_FALSE(tells(page->place_panel, "stays in the picture."));
+  page->scan_panel->setFolder(scanFolder());
+  press(page->job_bar, "Start");
+  EXPECT_TRUE(waitForViews(3));
+}
+
+TEST_F(WorkbenchTest, OpensTheCameraAnewInTheModeThatIsChosenAndJudgesItsPictures) {
+  WorkPage* page = bench_->window().work_page;
+  bench_->window().showWork(Step::kFocus);
+  connectByHand("sim:duck");
+  QSignalSpy closed(&controller().devices(), &DeviceSession::closed);
+  QSignalSpy opened(&controller().devices(), &DeviceSession::opened);
+  Q_EMIT page->focus_panel->modeChosen("640x480");  // a simulated camera has but one
+  ASSERT_TRUE(QTest::qWaitFor([&] { return opened.count() == 1; }, kPatience_ms));
+  EXPECT_EQ(closed.count(), 1);
+  EXPECT_EQ(controller().phase(), ScanPhase::kReady);
+  QSignalSpy seen(&bench_->calibrations(), &CalibrationController::focusSeen);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return seen.count() >= 2; }, kPatience_ms));
+}
+
+TEST_F(WorkbenchTest, TellsTimeAndRoomBeforeAScanBegins) {
+  WorkPage* page = bench_->window().work_page;
+  connectByHand("sim:duck");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return tells(page->scan_panel, " free"); }, kPatience_ms));
+  EXPECT_TRUE(tells(page->scan_panel, "0:50"));  // 18 s of turning, 72 views of 0.45 s
 }
 
 TEST_F(WorkbenchTest, ShowsTheLivePictureWhileNothingElseRuns) {

@@ -16,7 +16,6 @@
 
 #include "tests/support/qt_application.h"
 #include "ui/calibration_panel.h"
-#include "ui/calibration_wizard/focus_page.h"
 #include "ui/calibration_wizard/place_page.h"
 #include "ui/calibration_wizard/result_page.h"
 #include "ui/calibration_wizard/target_page.h"
@@ -78,14 +77,7 @@ class CalibrationWizardTest : public testing::Test {
     ASSERT_TRUE(found->isEnabled()) << text.toStdString();
     QTest::mouseClick(found, Qt::LeftButton);
   }
-  void lock() {
-    CameraInfo camera;
-    camera.controls = {{"focus", true, 0.0, ""}, {"gain", false, 0.0, "the driver has none"}};
-    wizard_.focus_page->showLocks(camera);
-  }
   void reachPlacing() {
-    lock();
-    press("Next");
     wizard_.target_page->showOffers({{"wedge", "Wedge", "For most tables."}});
     wizard_.target_page->showReady();
     press("Next");
@@ -93,22 +85,7 @@ class CalibrationWizardTest : public testing::Test {
   CalibrationWizard wizard_;
 };
 
-TEST_F(CalibrationWizardTest, SaysWhyOneCannotGoOnAndNamesWhatCouldNotBeLocked) {
-  EXPECT_FALSE(mayGoOn());
-  EXPECT_TRUE(textOf(wizard_).contains("Lock the camera first."));
-  QSignalSpy lock_asked(wizard_.focus_page, &FocusPage::lockRequested);
-  press("Lock the camera");
-  EXPECT_EQ(lock_asked.count(), 1);
-  EXPECT_FALSE(mayGoOn()) << "asking is not yet locking";
-  lock();
-  EXPECT_TRUE(mayGoOn());
-  EXPECT_TRUE(textOf(wizard_).contains("✓ focus: locked"));
-  EXPECT_TRUE(textOf(wizard_).contains("✗ gain: the driver has none"));
-}
-
 TEST_F(CalibrationWizardTest, GivesTheChosenTargetWithTheCalipersReadings) {
-  lock();
-  press("Next");
   QSignalSpy chosen(wizard_.target_page, &TargetPage::targetChosen);
   wizard_.target_page->showOffers({{"wedge", "Wedge", "a"}, {"cube", "Cube", "b"}});
   ASSERT_EQ(chosen.count(), 1);
@@ -131,8 +108,6 @@ TEST_F(CalibrationWizardTest, GivesTheChosenTargetWithTheCalipersReadings) {
 }
 
 TEST_F(CalibrationWizardTest, SaysWhatIsWrongWithATarget) {
-  lock();
-  press("Next");
   wizard_.target_page->showOffers({{"wedge", "Wedge", ""}});
   wizard_.target_page->useFile("/nowhere/mine.json");
   wizard_.target_page->showProblem(
@@ -196,12 +171,10 @@ TEST_F(CalibrationWizardTest, TellsTheVerdictWithBothFiguresAndOffersARedoMarked
 }
 
 TEST_F(CalibrationWizardTest, GoesTheWholeWayByKeyboard) {
-  lock();
   wizard_.activateWindow();
-  next()->setFocus();
-  QTest::keyClick(next(), Qt::Key_Space);
   EXPECT_EQ(wizard_.step(), WizardStep::kTarget);
   wizard_.target_page->showReady();
+  next()->setFocus();
   QTest::keyClick(next(), Qt::Key_Space);
   EXPECT_EQ(wizard_.step(), WizardStep::kPlace);
   QTest::keyClick(buttonOf(wizard_, "Back"), Qt::Key_Space);

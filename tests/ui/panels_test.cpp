@@ -243,11 +243,11 @@ TEST(StepList, TellsWhichStepWasChosenByMouseAndKey) {
   QSignalSpy chosen(&list, &StepList::stepChosen);
   const auto rows = list.findChildren<StepRow*>();
   ASSERT_EQ(rows.size(), static_cast<qsizetype>(kStepCount));
-  QTest::mouseClick(rows[1], Qt::LeftButton);
+  QTest::mouseClick(rows[2], Qt::LeftButton);
   ASSERT_EQ(chosen.count(), 1);
   EXPECT_EQ(chosen.front().front().value<Step>(), Step::kCalibrate);
-  rows[3]->setFocus();
-  QTest::keyClick(rows[3], Qt::Key_Space);
+  rows[4]->setFocus();
+  QTest::keyClick(rows[4], Qt::Key_Space);
   ASSERT_EQ(chosen.count(), 2);
   EXPECT_EQ(chosen.back().front().value<Step>(), Step::kScan);
 }

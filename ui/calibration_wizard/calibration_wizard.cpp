@@ -7,7 +7,6 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "ui/calibration_wizard/focus_page.h"
 #include "ui/calibration_wizard/place_page.h"
 #include "ui/calibration_wizard/result_page.h"
 #include "ui/calibration_wizard/target_page.h"
@@ -23,12 +22,11 @@ CalibrationWizard::CalibrationWizard(QWidget* parent) : QWidget(parent) {
   outer->addWidget(makeCard(card));
   where_ = makeLabel(QString(), "muted");
   stack_ = new QStackedWidget;
-  focus_page = new FocusPage;
   target_page = new TargetPage;
   place_page = new PlaceTargetPage;
   turn_page = new TurnPage;
   result_page = new ResultPage;
-  pages_ = {focus_page, target_page, place_page, turn_page, result_page};
+  pages_ = {target_page, place_page, turn_page, result_page};
   for (WizardPage* one : pages_) {
     stack_->addWidget(one);
     connect(one, &WizardPage::hindranceChanged, this, &CalibrationWizard::showHindrance);
@@ -52,7 +50,7 @@ CalibrationWizard::CalibrationWizard(QWidget* parent) : QWidget(parent) {
   connect(back_, &QPushButton::clicked, this, &CalibrationWizard::goBack);
   connect(next_, &QPushButton::clicked, this, &CalibrationWizard::goOn);
   connect(leave_, &QPushButton::clicked, this, &CalibrationWizard::leaveRequested);
-  showStep(WizardStep::kFocus);
+  showStep(WizardStep::kTarget);
 }
 
 WizardStep CalibrationWizard::step() const {

@@ -1,4 +1,4 @@
-// Leads from an untouched camera to a measured rig, one action a page.
+// Leads from a locked camera to a measured rig, one action a page.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,15 +12,14 @@ class QStackedWidget;
 
 namespace gyre {
 
-class FocusPage;
 class PlaceTargetPage;
 class ResultPage;
 class TargetPage;
 class TurnPage;
 class WizardPage;
 
-enum class WizardStep { kFocus, kTarget, kPlace, kTurn, kResult };
-inline constexpr std::size_t kWizardSteps = 5;
+enum class WizardStep { kTarget, kPlace, kTurn, kResult };
+inline constexpr std::size_t kWizardSteps = 4;
 
 // Knows nothing of cameras or tables: the pages are wired by whoever owns the wizard. Leaving keeps
 // everything, so that one can come back to the same page.
@@ -30,7 +29,6 @@ class CalibrationWizard final : public QWidget {
  public:
   explicit CalibrationWizard(QWidget* parent = nullptr);
 
-  FocusPage* focus_page;
   TargetPage* target_page;
   PlaceTargetPage* place_page;
   TurnPage* turn_page;

@@ -21,6 +21,16 @@ TEST(FreeSpace, IsEnoughForLittleAndTellsBothNumbersForMuch) {
               testing::MatchesRegex(".*has .* free; this scan may take .* GB\\."));
 }
 
+TEST(FreeSpace, IsThatOfTheDiskOnWhichAFolderWouldBeMade) {
+  const TempDir dir;
+  const auto here = freeBytesAt(dir.path());
+  const auto there = freeBytesAt(dir / "not" / "there yet");
+  ASSERT_TRUE(here && there);
+  EXPECT_GT(*here, 0U);
+  // Others write to the same disk meanwhile.
+  EXPECT_NEAR(static_cast<double>(*there), static_cast<double>(*here), 1e9);
+}
+
 TEST(FreeSpace, KnowsWhatANoisyPictureTakes) {
   const TempDir dir;
   cv::Mat noise(240, 320, CV_8UC3);

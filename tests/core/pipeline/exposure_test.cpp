@@ -27,6 +27,15 @@ TEST(Exposure, TakesAPictureThatIsAllWhite) {
   EXPECT_EQ(exposureOf(cv::Mat(4, 4, CV_8UC3, cv::Scalar::all(255))).too_bright, 1.0);
 }
 
+TEST(Exposure, LooksAtAnAreaAlone) {
+  cv::Mat image(100, 200, CV_8UC3, cv::Scalar(120, 130, 140));
+  image(cv::Rect(0, 0, 50, 100)).setTo(cv::Scalar::all(255));
+  cv::Mat area = cv::Mat::zeros(image.size(), CV_8U);
+  area(cv::Rect(0, 0, 100, 50)).setTo(255);
+  EXPECT_DOUBLE_EQ(exposureOf(image, area).too_bright, 0.5);
+  EXPECT_EQ(exposureOf(image, cv::Mat::zeros(image.size(), CV_8U)).too_bright, 0.0);
+}
+
 TEST(Exposure, AdvisesByWhatIsLost) {
   EXPECT_EQ(exposureAdvice({0.04, 0.05}), "");
   EXPECT_NE(exposureAdvice({0.06, 0.0}).find("dim the light"), std::string::npos);
