@@ -143,7 +143,9 @@ Result<std::unique_ptr<Turntable>> openTurntable(const std::string& word, const 
     return openReal(*parsed, options.turntable, options.ask_person, task);
   }
   GYRE_CHECK(room != nullptr);
-  auto turntable = ProtocolTurntable::open(room->firmware->openPort(), options.turntable, task);
+  TurntableOptions harmless = options.turntable;
+  harmless.may_unlock = true;  // there is no machine that could move unexpectedly
+  auto turntable = ProtocolTurntable::open(room->firmware->openPort(), harmless, task);
   if (!turntable) return turntable.error();
   return std::unique_ptr<Turntable>(std::move(turntable).value());
 }

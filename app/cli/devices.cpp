@@ -52,7 +52,8 @@ int probe(const Words& words, Console& console, const Task& task) {
   }
   const PortDiagnosis found = diagnose(*word, task);
   if (task.stopRequested()) return console.fail(cancelled());
-  const bool usable = found.state == PortState::kTurntable || found.state == PortState::kHindered;
+  const bool usable = found.state == PortState::kTurntable || found.state == PortState::kHindered ||
+                      found.state == PortState::kLocked;
   if (words.json) {
     console.sayAlways(diagnosisJson(found));
     return usable ? kDone : kFailed;

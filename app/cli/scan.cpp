@@ -33,6 +33,7 @@ struct Words {
   std::string background;
   std::string out;
   int mains_hz = 0;
+  bool unlock = false;
   SimWords sim;
 };
 
@@ -110,6 +111,10 @@ int run(const Words& words, Console& console, const Task& task) {
   auto rig = openRig(plan->settings.turntable, plan->settings.camera, plan->options, task);
   if (!rig) return console.fail(rig.error());
   tellDevices(console, *rig);
+  if (const auto allowed = allowUnlock(*rig->turntable, unlockWord(words.unlock), console, task);
+      !allowed) {
+    return console.fail(allowed.error());
+  }
   if (const auto matched = matchCalibration(words, *rig, *plan, console, task); !matched) {
     return console.fail(matched.error());
   }
@@ -143,6 +148,7 @@ void addScan(CLI::App& app, Run& chosen) {
       ->check(CLI::IsMember({50, 60}));
   command->add_option("--calibration", words->calibration, "calibration.json of this rig");
   command->add_option("--axis", settings.axis, "Letter of the axis that turns (default X)");
+  addUnlockWord(*command, words->unlock);
   command->add_option("--background", words->background, "Picture of the empty table, or a folder");
   command->add_option("--views", settings.views, "Pictures in one turn (default 200)")
       ->check(CLI::Range(2, 100000));

@@ -54,6 +54,10 @@ class Turntable {
   // becomes 0. Moves nothing; info() tells the corrected units. Fails when the ratio is absurd.
   virtual Result<void> correct(double turned_over_told) = 0;
 
+  // A person's word that a board which info() calls locked may be unlocked by the next move. It
+  // holds until the table is closed or its board stops by itself. Moves and sends nothing.
+  virtual void allowUnlock() {}
+
   virtual TurntableInfo info() const = 0;
 
  protected:

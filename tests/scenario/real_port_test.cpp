@@ -39,9 +39,9 @@ constexpr int kViews = 12;
 // A turntable and a camera that the program can only reach as it reaches real ones.
 class Room {
  public:
-  Room()
+  explicit Room(const TurntableFirmwareOptions& board = {})
       : shaft_(std::make_shared<Shaft>()),
-        firmware_({}, shaft_, SimClock(20.0)),
+        firmware_(board, shaft_, SimClock(20.0)),
         renderer_(atImageWidth(RigSettings{}, 320)),
         camera_(
             [this](int) { return renderer_.render(shaft_->steps(), TableLoad::kObject).image_bgr; },
@@ -56,6 +56,7 @@ class Room {
   std::string cameraUrl() const { return camera_.url(); }
   const Renderer& renderer() const { return renderer_; }
   TurntableFirmware& firmware() { return firmware_; }
+  const Shaft& shaft() const { return *shaft_; }
 
  private:
   std::shared_ptr<Shaft> shaft_;
@@ -114,6 +115,25 @@ TEST(RealPortScan, EndsWithASentenceWhenThePortVanishes) {
   ASSERT_TRUE(store);
   EXPECT_GE(store->views().size(), 2U);
   EXPECT_FALSE(store->complete());
+}
+
+TEST(RealPortScan, LockedBoardIsNotMovedUnlessTheWordIsGiven) {
+  TurntableFirmwareOptions board;
+  board.homing = true;
+  Room room(board);
+  const TempDir temp;
+  std::vector<std::string> words = scanWords(room, temp);
+  const Answer refused = gyre(words);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.err, testing::HasSubstr("board is locked and moves nothing"));
+  EXPECT_THAT(refused.err, testing::HasSubstr("--unlock"));
+  EXPECT_EQ(room.shaft().steps(), 0);
+  EXPECT_FALSE(std::filesystem::exists(temp / "scan"));
+  words.emplace_back("--unlock");
+  const Answer allowed = gyre(words);
+  const auto store = ScanStore::open(temp / "scan");
+  ASSERT_TRUE(store) << allowed.err;
+  EXPECT_TRUE(store->complete()) << allowed.err;
 }
 
 }  // namespace

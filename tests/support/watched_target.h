@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "core/base/random.h"
@@ -119,10 +120,14 @@ class OddTable final : public Turntable {
     info.axis = "X";
     info.units_per_turn = 360.0 / std::abs(turned_over_told_);
     info.direction = turned_over_told_ < 0.0 ? -1 : 1;
+    if (!may_unlock) info.lock = lock;
     return info;
   }
+  void allowUnlock() override { may_unlock = true; }
 
   bool stopped = false;
+  std::string lock;
+  bool may_unlock = false;
 
  private:
   std::function<double(double)> turned_rad_;

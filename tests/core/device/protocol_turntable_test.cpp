@@ -241,7 +241,26 @@ TEST_F(ProtocolTurntableTest, LimitSwitchIsAnAlarm) {
   EXPECT_EQ(moved.error().code, Code::kAlarm);
   EXPECT_THAT(moved.error().what, HasSubstr("limit switch"));
   ASSERT_TRUE(table->setAngle(0.0));
+  EXPECT_EQ(table->moveTo(radFromDeg(10.0), Task()).error().code, Code::kNoPermission);
+  EXPECT_THAT(table->info().lock, HasSubstr("has stopped by itself"));
+  table->allowUnlock();
   EXPECT_TRUE(table->moveTo(radFromDeg(10.0), Task()));
+}
+
+TEST_F(ProtocolTurntableTest, AnAlarmVoidsTheWordThatTheBoardMayBeUnlocked) {
+  configure("$21=1\n$22=1\n");
+  TurntableOptions allowed;
+  allowed.may_unlock = true;
+  const auto table = open({}, allowed);
+  ASSERT_TRUE(table->moveTo(radFromDeg(9.0), Task()));
+  std::jthread presser([&] {
+    sleepMilliseconds(100);
+    firmware_.pressLimitSwitch();
+  });
+  EXPECT_EQ(table->moveTo(radFromDeg(180.0), Task()).error().code, Code::kAlarm);
+  ASSERT_TRUE(table->setAngle(0.0));
+  EXPECT_EQ(table->moveTo(radFromDeg(10.0), Task()).error().code, Code::kNoPermission);
+  EXPECT_TRUE(stands());
 }
 
 TEST_F(ProtocolTurntableTest, HindrancesAreToldInWords) {
@@ -252,10 +271,40 @@ TEST_F(ProtocolTurntableTest, HindrancesAreToldInWords) {
   EXPECT_EQ(table->info().steps_per_turn, 3204.0);
 }
 
-TEST_F(ProtocolTurntableTest, BoardLockedAtItsStartIsUnlockedByTheFirstMove) {
+TEST_F(ProtocolTurntableTest, BoardLockedAtItsStartStaysSoUntilAPersonAllowsItsUnlocking) {
   configure("$22=1\n");
-  const auto table = open();
+  std::string sent;
+  auto opened = ProtocolTurntable::open(std::make_unique<RecordingPort>(firmware_.openPort(), sent),
+                                        {}, Task());
+  ASSERT_TRUE(opened) << opened.error().sentence();
+  ProtocolTurntable& table = **opened;
+  EXPECT_THAT(table.info().lock, HasSubstr("is locked"));
+  EXPECT_THAT(table.info().lock, HasSubstr("homing is on"));
+  sent.clear();
+  for (int i = 0; i < 2; ++i) {
+    const Result<void> refused = table.moveTo(radFromDeg(9.0), Task());
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, Code::kNoPermission);
+    EXPECT_THAT(refused.error().advice, HasSubstr("--unlock"));
+  }
+  EXPECT_EQ(sent.find_first_not_of('?'), std::string::npos) << sent;  // it was asked how it is
+  EXPECT_EQ(shaft_->steps(), 0);
+  table.allowUnlock();
+  EXPECT_THAT(table.info().lock, IsEmpty());
+  ASSERT_TRUE(table.moveTo(radFromDeg(9.0), Task()));
+  EXPECT_THAT(sent, HasSubstr("$X\n"));
+  EXPECT_EQ(shaft_->steps(), 80);
+}
+
+TEST_F(ProtocolTurntableTest, TheWordToUnlockHoldsForOneOpening) {
+  configure("$22=1\n");
+  TurntableOptions allowed;
+  allowed.may_unlock = true;
+  auto table = open({}, allowed);
+  EXPECT_THAT(table->info().lock, IsEmpty());
   ASSERT_TRUE(table->moveTo(radFromDeg(9.0), Task()));
+  table = open();
+  EXPECT_EQ(table->moveTo(radFromDeg(9.0), Task()).error().code, Code::kNoPermission);
   EXPECT_EQ(shaft_->steps(), 80);
 }
 
@@ -273,6 +322,9 @@ TEST_F(ProtocolTurntableTest, ReleaseLetsGoAndTheAngleMustBeSetAnew) {
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, Code::kAlarm);
   ASSERT_TRUE(table->setAngle(0.0));
+  EXPECT_EQ(table->moveTo(radFromDeg(9.0), Task()).error().code, Code::kNoPermission);
+  EXPECT_THAT(table->info().lock, HasSubstr("its motor was let go of"));
+  table->allowUnlock();
   ASSERT_TRUE(table->moveTo(radFromDeg(9.0), Task()));
   EXPECT_EQ(shaft_->steps(), 80);
 }
