@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device/protocol_turntable.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -15,6 +16,7 @@ namespace gyre {
 namespace {
 
 constexpr int kTries = 3;
+constexpr double kLongestApproach_deg = 45.0;  // as TurntableOptions allow
 
 Error angleUnknown() {
   return {Error::Code::kAlarm, "The angle of the turntable is not known any more.",
@@ -174,6 +176,12 @@ Result<void> ProtocolTurntable::setAngle(double angle_rad) {
   angle_known_ = true;
   return {};
 }
+
+void ProtocolTurntable::setApproach(double approach_rad) {
+  options_.approach_deg = std::clamp(degFromRad(approach_rad), 0.0, kLongestApproach_deg);
+}
+
+double ProtocolTurntable::approachRad() const { return radFromDeg(options_.approach_deg); }
 
 TurntableInfo ProtocolTurntable::info() const {
   TurntableInfo info = info_;

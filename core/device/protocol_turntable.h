@@ -50,6 +50,8 @@ class ProtocolTurntable final : public Turntable {
   void stop() noexcept override { stop_requested_ = true; }
   Result<void> release() override;
   Result<void> correct(double turned_over_told) override;
+  void setApproach(double approach_rad) override;
+  double approachRad() const override;
   void allowUnlock() override { driver_->allowUnlock(); }
   TurntableInfo info() const override;
 

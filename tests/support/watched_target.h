@@ -98,9 +98,17 @@ class OddTable final : public Turntable {
 
   Result<void> moveTo(double angle_rad, const Task& task) override {
     if (task.stopRequested()) return cancelled();
-    told_rad_ = zero_rad_ + angle_rad / turned_over_told_;
+    const double to_rad = zero_rad_ + angle_rad / turned_over_told_;
+    if (angle_rad < angleRad() && approach_rad_ > 0.0) {
+      told_rad_ = to_rad - approach_rad_ / turned_over_told_;
+      (void)trueAngleRad();  // what has play follows on the way
+    }
+    told_rad_ = to_rad;
+    (void)trueAngleRad();
     return {};
   }
+  void setApproach(double approach_rad) override { approach_rad_ = approach_rad; }
+  double approachRad() const override { return approach_rad_; }
   double angleRad() const override { return (told_rad_ - zero_rad_) * turned_over_told_; }
   double trueAngleRad() const { return turned_rad_(told_rad_); }
   std::int64_t steps() const override { return 0; }
@@ -134,6 +142,7 @@ class OddTable final : public Turntable {
   double told_rad_ = 0.0;
   double zero_rad_ = 0.0;
   double turned_over_told_ = 1.0;
+  double approach_rad_ = 0.0;
 };
 
 }  // namespace gyre::test

@@ -118,6 +118,29 @@ TEST_F(ProtocolTurntableTest, BackwardMovesPassTheirTargetAndReturn) {
   EXPECT_NE(sent.find("G1X22.4997", past), std::string::npos) << sent;
 }
 
+TEST_F(ProtocolTurntableTest, LongerApproachTakesUpPlayThatIsKnown) {
+  const auto loose = std::make_shared<Shaft>(30);  // 3.4 degrees: more than the usual 2
+  TurntableFirmware firmware({}, loose, SimClock(20.0));
+  auto table = ProtocolTurntable::open(firmware.openPort(), {}, Task());
+  ASSERT_TRUE(table) << table.error().sentence();
+  ASSERT_TRUE((*table)->moveTo(radFromDeg(45.0), Task()));
+  ASSERT_TRUE((*table)->moveTo(radFromDeg(22.5), Task()));
+  EXPECT_EQ(loose->steps(), 200);
+  EXPECT_EQ(loose->tableSteps(), 212);  // not followed: 18 of 30 steps were taken up
+  (*table)->setApproach(radFromDeg(4.0));
+  EXPECT_NEAR((*table)->approachRad(), radFromDeg(4.0), 1e-12);
+  ASSERT_TRUE((*table)->correct(-1.0));  // what is known of play stays
+  EXPECT_NEAR((*table)->approachRad(), radFromDeg(4.0), 1e-12);
+  ASSERT_TRUE((*table)->correct(-1.0));
+  ASSERT_TRUE((*table)->moveTo(radFromDeg(45.0), Task()));
+  ASSERT_TRUE((*table)->moveTo(radFromDeg(22.5), Task()));
+  EXPECT_EQ(loose->tableSteps(), loose->steps());
+  (*table)->setApproach(-1.0);
+  EXPECT_EQ((*table)->approachRad(), 0.0);
+  (*table)->setApproach(10.0);
+  EXPECT_NEAR((*table)->approachRad(), radFromDeg(45.0), 1e-12);
+}
+
 TEST_F(ProtocolTurntableTest, DirectionTurnsTheOtherWay) {
   TurntableOptions options;
   options.direction = -1;
