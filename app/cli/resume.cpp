@@ -12,6 +12,7 @@
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
+#include "app/kept_wire_log.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
 #include "app/take_up_scan.h"
@@ -54,6 +55,8 @@ int captureRest(const Words& words, Console& console, ScanStore& store, const Ta
   task.report(0.0, "Opening turntable and camera");
   auto rig = openAgain(words, console, store, task);
   if (!rig) return failScan(console, store, rig.error());
+  const WireLogKeeper wire(words.turntable.empty() ? store.settings().turntable : words.turntable,
+                           store.folder());
   tellDevices(console, *rig);
   if (const auto allowed = allowUnlock(*rig->turntable, unlockWord(words.unlock), console, task);
       !allowed) {

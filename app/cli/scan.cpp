@@ -16,6 +16,7 @@
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
+#include "app/kept_wire_log.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
 #include "app/turntable_word.h"
@@ -123,6 +124,7 @@ int run(const Words& words, Console& console, const Task& task) {
   if (!uneven.empty()) console.warn(uneven);
   auto store = ScanStore::create(words.out, plan->settings, plan->calibration);
   if (!store) return console.fail(store.error());
+  const WireLogKeeper wire(plan->settings.turntable, store->folder());
   return endScan(console, *store, scan(words, *rig, *store, console, task.part(0.0, 0.9)),
                  task.part(0.9, 1.0));
 }

@@ -136,5 +136,37 @@ TEST(RealPortScan, LockedBoardIsNotMovedUnlessTheWordIsGiven) {
   EXPECT_TRUE(store->complete()) << allowed.err;
 }
 
+TEST(RealPortScan, KeepsTheWiresLogWithTheScan) {
+  Room room;
+  const TempDir temp;
+  (void)gyre(scanWords(room, temp));
+  const std::string log = fileText(temp / "scan" / "wire.log");
+  EXPECT_THAT(log, testing::HasSubstr("> $$\\n"));
+  EXPECT_THAT(log, testing::HasSubstr("G53G1X"));
+  EXPECT_THAT(log, testing::HasSubstr("< ok"));
+}
+
+TEST(RealPort, MotorThatStandsIsToldByACamera) {
+  Room room;
+  const std::vector<std::string> probe = {"devices", "--probe", room.port(), "--json"};
+  std::vector<std::string> words = probe;
+  words.insert(words.end(), {"--watch", room.cameraUrl()});
+  const Answer turns = gyre(words);
+  EXPECT_EQ(turns.code, 0) << turns.err;
+  EXPECT_THAT(turns.out, testing::HasSubstr("\"state\": \"turntable\""));
+  EXPECT_EQ(room.shaft().steps(), 0);
+
+  // The picture stays what it is, whatever the board says that it does.
+  const cv::Mat still = room.renderer().render(0, TableLoad::kObject).image_bgr;
+  const test::MjpegServer blind([&](int) { return still; }, 15.0);
+  words = probe;
+  words.insert(words.end(), {"--watch", blind.url()});
+  const Answer stands = gyre(words);
+  EXPECT_EQ(stands.code, 1);
+  EXPECT_THAT(stands.out, testing::HasSubstr("\"state\": \"motor-stands\""));
+  EXPECT_THAT(stands.out, testing::HasSubstr("sees nothing move"));
+  EXPECT_THAT(stands.out, testing::HasSubstr("Grbl 1.1h"));
+}
+
 }  // namespace
 }  // namespace gyre
