@@ -1,5 +1,5 @@
-// Asks the person at the terminal: to turn a table that has no motor, and whether a locked board
-// may be unlocked. SPDX-License-Identifier: GPL-3.0-or-later
+// Asks the person at the terminal to turn a table by hand, or whether a board may be unlocked.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstdint>

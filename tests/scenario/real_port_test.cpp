@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
+#include "core/device/serial_port.h"
 #include "core/device/whole_jpeg.h"
 #include "core/io/calibration_file.h"
 #include "core/io/picture_file.h"
@@ -115,6 +117,39 @@ TEST(RealPortScan, EndsWithASentenceWhenThePortVanishes) {
   ASSERT_TRUE(store);
   EXPECT_GE(store->views().size(), 2U);
   EXPECT_FALSE(store->complete());
+}
+
+TEST(RealPortScan, PausesWithASentenceWhenTheBoardRaisesAnAlarm) {
+  Room room;
+  {
+    const auto terminal = SerialPort::open(room.port(), 115200);
+    ASSERT_TRUE(terminal) << terminal.error().sentence();
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    const std::string limits_on = "$21=1\n";
+    ASSERT_TRUE((*terminal)->write(std::as_bytes(std::span(limits_on)), 1.0));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  const TempDir temp;
+  std::int64_t stood = 0;
+  std::jthread presser([&] {
+    const auto journal = temp / "scan" / "journal.jsonl";
+    for (int i = 0; i < 3000; ++i) {
+      const std::string lines = fileText(journal);
+      if (std::count(lines.begin(), lines.end(), '\n') >= 2) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    room.firmware().pressLimitSwitch();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    stood = room.shaft().steps();
+  });
+  const Answer answer = gyre(scanWords(room, temp));
+  presser.join();
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.err, testing::HasSubstr("stopped by itself"));
+  EXPECT_THAT(answer.err, testing::HasSubstr("views are kept; `gyre resume"));
+  EXPECT_EQ(room.shaft().steps(), stood);
+  const std::string log = fileText(temp / "scan" / "wire.log");
+  EXPECT_FALSE(log.find("> $X", log.rfind("= opened")) != std::string::npos);
 }
 
 TEST(RealPortScan, LockedBoardIsNotMovedUnlessTheWordIsGiven) {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <memory>
 
+#include <QFile>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -172,6 +173,7 @@ TEST_F(WindowRealPort, CapturesEveryView) {
   const auto store = ScanStore::open(folder_.filePath("scan").toStdString());
   ASSERT_TRUE(store.ok()) << store.error().sentence();
   EXPECT_TRUE(store->complete());
+  EXPECT_TRUE(QFile::exists(folder_.filePath("scan/wire.log")));
 }
 
 TEST_F(WindowRealPort, UsesTheCalibrationAgainWhenTheSameRigIsConnected) {

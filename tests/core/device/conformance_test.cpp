@@ -2,7 +2,6 @@
 // its deadline, never a wrong angle that is called right, never motion after a stop.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <span>
 #include <stop_token>
 #include <string>
 
@@ -25,7 +24,6 @@ namespace {
 using testing::AnyOf;
 using testing::Eq;
 using testing::HasSubstr;
-using testing::Not;
 using Code = Error::Code;
 
 // By the simulated clock: three tries of a bite that is awaited, halted and asked after, or a board
@@ -347,88 +345,6 @@ TEST_P(ConformanceTest, CorrectedTableTurnsByWhatItIsTold) {
   EXPECT_EQ(shaft_->steps() - before, -shaftAt(90.0));
   ASSERT_TRUE(move(*table, 0.0));
   EXPECT_EQ(shaft_->steps(), before);
-}
-
-// What would home, heat, cut, unlock or change a setting, in any of the languages.
-void expectHarmless(const std::string& sent) {
-  for (const char* word :
-       {"$H",     "$X",   "$N",   "$RST", "$C",      "G10",    "G28",       "G30",  "G38",
-        "M3",     "M4 ",  "M104", "M109", "M140",    "M190",   "M500",      "M501", "M502",
-        "M211 S", "M92 ", "M203", "T C",  "SETZERO", "TOZERO", "SETSPEED=", "SAVE", "EEPROM"}) {
-    EXPECT_THAT(sent, Not(HasSubstr(word)));
-  }
-  EXPECT_EQ(sent.find('='), std::string::npos) << sent;  // no $110=3600, no setting of any kind
-}
-
-TEST_P(ConformanceTest, SendsNothingThatHomesHeatsUnlocksOrWritesASetting) {
-  const auto table = open();
-  ASSERT_TRUE(table);
-  ASSERT_TRUE(move(*table, 40.0));
-  ASSERT_TRUE(move(*table, 10.0));
-  (void)table->release();
-  (void)table->setAngle(0.0);
-  (void)move(*table, 10.0);
-  expectHarmless(room_.sent());
-}
-
-TEST_P(ConformanceTest, NorDoesItAfterAnAlarmAStopARestartOrOnABadWire) {
-  const auto table = open();
-  ASSERT_TRUE(table);
-  room_.at(room_.seconds() + 0.5, [&] { room_.board().pressLimitSwitch(room_.seconds()); });
-  room_.at(room_.seconds() + 4.0, [&] { table->stop(); });
-  (void)move(*table, 120.0);
-  (void)table->setAngle(0.0);
-  (void)move(*table, 10.0);
-  room_.board().reset(room_.seconds());
-  room_.pass(2.0);
-  (void)move(*table, 20.0);
-  (void)table->setAngle(0.0);
-  (void)move(*table, 20.0);
-  port_->setFaults({.seed = 3, .corrupt = 0.01, .host_is_heard_well = true});
-  for (int i = 0; i < 3; ++i) (void)move(*table, 5.0 * i);
-  expectHarmless(room_.sent());
-}
-
-TEST_P(ConformanceTest, ConnectingAndAskingMovesNothing) {
-  const auto table = open();
-  ASSERT_TRUE(table);
-  ASSERT_TRUE(table->setAngle(0.3));
-  ASSERT_TRUE(table->correct(-2.0));
-  (void)table->info();
-  table->stop();
-  for (const char* word : {"G0", "G1", "$J", "M17", "M18", "T R", "T A", "MOVE", "TRUNSINGLE",
-                           "START", "TURN", "G2", "G6", "\nON\n"}) {
-    EXPECT_THAT(room_.sent(), Not(HasSubstr(word)));
-  }
-  expectHarmless(room_.sent());
-  room_.pass(3.0);
-  EXPECT_EQ(shaft_->steps(), 0);
-}
-
-// The one firmware that locks itself, with the setting that makes it do so at every start.
-TEST(GrblConformance, LockedBoardIsNeverUnlockedUnasked) {
-  const auto shaft = std::make_shared<Shaft>();
-  test::SteppedRoom room(makeFirmwareBoard("grbl", TurntableFirmwareOptions{}, shaft));
-  const auto terminal = room.openPort("a terminal");
-  room.pass(1.0);
-  const std::string homing_on = "$22=1\n";
-  ASSERT_TRUE(terminal->write(std::as_bytes(std::span(homing_on)), 1.0));
-  room.pass(1.0);
-  const std::size_t begin = room.sent().size();
-  auto table = ProtocolTurntable::open(room.openPort("the wire"), {}, Task());
-  ASSERT_TRUE(table) << table.error().sentence();
-  for (const double angle_deg : {10.0, 0.0, 90.0}) {
-    const Result<void> moved = (*table)->moveTo(radFromDeg(angle_deg), Task());
-    if (moved) continue;  // to where it stands
-    EXPECT_EQ(moved.error().code, Code::kNoPermission);
-  }
-  (void)(*table)->release();
-  (void)(*table)->setAngle(0.0);
-  EXPECT_EQ((*table)->moveTo(0.5, Task()).error().code, Code::kNoPermission);
-  const std::string sent = room.sent().substr(begin);
-  expectHarmless(sent);
-  EXPECT_THAT(sent, Not(HasSubstr("G1")));
-  EXPECT_EQ(shaft->steps(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Firmwares, ConformanceTest, testing::ValuesIn(firmwareBoardNames()),

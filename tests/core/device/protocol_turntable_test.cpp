@@ -270,65 +270,12 @@ TEST_F(ProtocolTurntableTest, LimitSwitchIsAnAlarm) {
   EXPECT_TRUE(table->moveTo(radFromDeg(10.0), Task()));
 }
 
-TEST_F(ProtocolTurntableTest, AnAlarmVoidsTheWordThatTheBoardMayBeUnlocked) {
-  configure("$21=1\n$22=1\n");
-  TurntableOptions allowed;
-  allowed.may_unlock = true;
-  const auto table = open({}, allowed);
-  ASSERT_TRUE(table->moveTo(radFromDeg(9.0), Task()));
-  std::jthread presser([&] {
-    sleepMilliseconds(100);
-    firmware_.pressLimitSwitch();
-  });
-  EXPECT_EQ(table->moveTo(radFromDeg(180.0), Task()).error().code, Code::kAlarm);
-  ASSERT_TRUE(table->setAngle(0.0));
-  EXPECT_EQ(table->moveTo(radFromDeg(10.0), Task()).error().code, Code::kNoPermission);
-  EXPECT_TRUE(stands());
-}
-
 TEST_F(ProtocolTurntableTest, HindrancesAreToldInWords) {
   configure("$1=25\n$20=1\n$22=1\n$100=8.9\n$110=600\n");
   const auto table = open();
   EXPECT_THAT(table->info().hindrances, ElementsAre(HasSubstr("$1=255"), HasSubstr("$20=0"),
                                                     HasSubstr("$22=0"), HasSubstr("10 deg/s")));
   EXPECT_EQ(table->info().steps_per_turn, 3204.0);
-}
-
-TEST_F(ProtocolTurntableTest, BoardLockedAtItsStartStaysSoUntilAPersonAllowsItsUnlocking) {
-  configure("$22=1\n");
-  std::string sent;
-  auto opened = ProtocolTurntable::open(std::make_unique<RecordingPort>(firmware_.openPort(), sent),
-                                        {}, Task());
-  ASSERT_TRUE(opened) << opened.error().sentence();
-  ProtocolTurntable& table = **opened;
-  EXPECT_THAT(table.info().lock, HasSubstr("is locked"));
-  EXPECT_THAT(table.info().lock, HasSubstr("homing is on"));
-  sent.clear();
-  for (int i = 0; i < 2; ++i) {
-    const Result<void> refused = table.moveTo(radFromDeg(9.0), Task());
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, Code::kNoPermission);
-    EXPECT_THAT(refused.error().advice, HasSubstr("--unlock"));
-  }
-  EXPECT_EQ(sent.find_first_not_of('?'), std::string::npos) << sent;  // it was asked how it is
-  EXPECT_EQ(shaft_->steps(), 0);
-  table.allowUnlock();
-  EXPECT_THAT(table.info().lock, IsEmpty());
-  ASSERT_TRUE(table.moveTo(radFromDeg(9.0), Task()));
-  EXPECT_THAT(sent, HasSubstr("$X\n"));
-  EXPECT_EQ(shaft_->steps(), 80);
-}
-
-TEST_F(ProtocolTurntableTest, TheWordToUnlockHoldsForOneOpening) {
-  configure("$22=1\n");
-  TurntableOptions allowed;
-  allowed.may_unlock = true;
-  auto table = open({}, allowed);
-  EXPECT_THAT(table->info().lock, IsEmpty());
-  ASSERT_TRUE(table->moveTo(radFromDeg(9.0), Task()));
-  table = open();
-  EXPECT_EQ(table->moveTo(radFromDeg(9.0), Task()).error().code, Code::kNoPermission);
-  EXPECT_EQ(shaft_->steps(), 80);
 }
 
 TEST_F(ProtocolTurntableTest, ReportsInWorkPositionsAndInchesAreUnderstood) {
