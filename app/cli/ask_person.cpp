@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -53,6 +54,18 @@ AskPerson askAtTerminal(Console& console, int keys) {
     console.warn(request(turn));
     const Result<std::string> entered = awaitLine(keys, task);
     return entered ? Result<void>() : entered.error();
+  };
+}
+
+TellPerson tellAtTerminal(Console& console) {
+  return [&console](const FreeTurn& turn) {
+    if (!turn.seen) {
+      console.warn("The markers on the platter are not seen: take hands away, keep them lit.");
+      return;
+    }
+    console.warn(
+        formatted("Turn the table %s, seen from above, by about %.0f\u00b0 and let go of it.",
+                  turn.by_deg > 0.0 ? "counter-clockwise" : "clockwise", std::abs(turn.by_deg)));
   };
 }
 

@@ -7,12 +7,16 @@
 #include "app/cli/console.h"
 #include "core/device/hand_turntable.h"
 #include "core/device/turntable.h"
+#include "core/device/watched_turntable.h"
 
 namespace gyre {
 
 // Says what to do and waits for the Enter key on the file descriptor `keys`, standard input by
 // default. The end of the input fails with kGone: nobody is there. The console must outlive it.
 AskPerson askAtTerminal(Console& console, int keys = 0);
+
+// Says how far a table that is turned freely is still to be turned. The console must outlive it.
+TellPerson tellAtTerminal(Console& console);
 
 // What the command line says of locks: nothing, or --unlock.
 enum class UnlockWord : std::uint8_t { kAsk, kGiven };

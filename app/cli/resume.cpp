@@ -12,6 +12,7 @@
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
+#include "app/free_hand.h"
 #include "app/kept_wire_log.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
@@ -61,6 +62,11 @@ int captureRest(const Words& words, Console& console, ScanStore& store, const Ta
   if (const auto allowed = allowUnlock(*rig->turntable, unlockWord(words.unlock), console, task);
       !allowed) {
     return failScan(console, store, allowed.error());
+  }
+  if (namesFreeHand(store.settings().turntable) && words.turntable.empty()) {
+    const auto watched = watchByRing(*rig, store.calibrationRecord(), store.settings().views,
+                                     tellAtTerminal(console), task);
+    if (!watched) return failScan(console, store, watched.error());
   }
   if (rig->room) rig->room->setTable(TableLoad::kObject);
   const auto taken_up =

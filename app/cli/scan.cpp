@@ -16,6 +16,7 @@
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
+#include "app/free_hand.h"
 #include "app/kept_wire_log.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
@@ -116,6 +117,11 @@ int run(const Words& words, Console& console, const Task& task) {
       !allowed) {
     return console.fail(allowed.error());
   }
+  if (namesFreeHand(plan->settings.turntable)) {
+    const auto watched =
+        watchByRing(*rig, plan->calibration, plan->settings.views, tellAtTerminal(console), task);
+    if (!watched) return console.fail(watched.error());
+  }
   if (const auto matched = matchCalibration(words, *rig, *plan, console, task); !matched) {
     return console.fail(matched.error());
   }
@@ -136,9 +142,10 @@ void addScan(CLI::App& app, Run& chosen) {
   ScanSettings& settings = words->settings;
   CLI::App* command = app.add_subcommand("scan", "Scan what stands on the turntable");
   command
-      ->add_option("--turntable", settings.turntable,
-                   "[FIRMWARE:]PORT, [FIRMWARE:]tcp:HOST:PORT, FILE.json:PORT, hand[:MARKS], "
-                   "sim[:OBJECT] or sim:target[:FILE]")
+      ->add_option(
+          "--turntable", settings.turntable,
+          "[FIRMWARE:]PORT, [FIRMWARE:]tcp:HOST:PORT, FILE.json:PORT, hand[:MARKS], hand:free, "
+          "sim[:OBJECT] or sim:target[:FILE]")
       ->required();
   command
       ->add_option("--camera", settings.camera,
