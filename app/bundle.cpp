@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/device_words.h"
+#include "app/kept_wire_log.h"
 #include "app/table_at_port.h"
 #include "app/turntable_word.h"
 #include "app/version.h"
@@ -83,6 +84,12 @@ std::string portOf(const std::vector<Item>& items) {
   return {};
 }
 
+bool holdsWireLog(const std::vector<Item>& items, const std::string& title) {
+  return std::any_of(items.begin(), items.end(),
+                     [&](const Item& item) { return item.name == title + "/" + kKeptWireLog; });
+}
+
+// Of a scan that was cut off before its log was copied: what lies in the user's cache.
 void addWireLogs(const std::string& port, const std::string& title, std::vector<Item>& items) {
   if (port.empty()) return;
   const fs::path log = wireLogFile(port);
@@ -143,7 +150,7 @@ Result<Bundled> writeBundle(const fs::path& scan, const fs::path& out, BundlePic
     return Error{Error::Code::kNotFound, "\"" + folder->string() + "\" holds nothing of a scan.",
                  "Give the scan's folder, or the .gyre file in it."};
   }
-  addWireLogs(portOf(items), title, items);
+  if (!holdsWireLog(items, title)) addWireLogs(portOf(items), title, items);
   auto archive = ArchiveFile::create(out);
   if (!archive) return archive.error();
   for (const auto& [name, text] : {std::pair(title + "/versions.json", versionsJson()),

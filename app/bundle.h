@@ -19,9 +19,10 @@ struct Bundled {
 };
 
 // The scan's settings, journal, calibration, report, angles and logs, the log of its turntable's
-// wire, and what program, system and devices there are; pictures and points only when they are
-// asked for. The scan may be unfinished or damaged: what is there is packed. Nothing is left behind
-// after a failure or a stop. scan: its folder or the .gyre file in it. out: .tar.gz or .zip.
+// wire as it was kept with the scan, or from the user's cache where it was cut off, and what
+// program, system and devices there are; pictures and points only when they are asked for. The scan
+// may be unfinished or damaged: what is there is packed. Nothing is left behind after a failure or
+// a stop. scan: its folder or the .gyre file in it. out: .tar.gz or .zip.
 Result<Bundled> writeBundle(const std::filesystem::path& scan, const std::filesystem::path& out,
                             BundlePictures pictures, const Task& task);
 

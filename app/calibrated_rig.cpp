@@ -8,6 +8,7 @@
 #include "core/base/clock.h"
 #include "core/io/picture_file.h"
 #include "core/pipeline/check_before_scan.h"
+#include "core/pipeline/measured_turntable.h"
 #include "core/pipeline/platter_ring.h"
 #include "core/pipeline/target_finder.h"
 
@@ -29,6 +30,7 @@ Result<std::vector<std::string>> applyCalibration(const Rig& rig, const Calibrat
   if (const auto done = matchTurning(rig, known.units_per_turn, known.direction); !done) {
     return done.error();
   }
+  takeUpBacklash(*rig.turntable, known.backlash_rad);
   return remarks;
 }
 

@@ -88,6 +88,27 @@ void DeviceSession::reopenInMode(const QString& mode) {
 
 void DeviceSession::confirmTurntable() { confirmed_ = true; }
 
+void DeviceSession::tellLock() {
+  if (!isOpen()) return;
+  auto lock = std::make_shared<QString>();
+  table_jobs_.start(
+      [rig = rig_, lock](const Task&) -> Result<void> {
+        *lock = QString::fromStdString(rig->turntable->info().lock);
+        return {};
+      },
+      [this, lock](const Result<void>&) { Q_EMIT lockTold(*lock); });
+}
+
+void DeviceSession::allowUnlock() {
+  if (!isOpen()) return;
+  table_jobs_.start(
+      [rig = rig_](const Task&) -> Result<void> {
+        rig->turntable->allowUnlock();
+        return {};
+      },
+      [](const Result<void>&) {});
+}
+
 void DeviceSession::runAlone(JobRunner::Job job, JobRunner::Done done) {
   camera_jobs_.requestStop();
   table_jobs_.start(std::move(job), std::move(done));
@@ -134,6 +155,7 @@ void DeviceSession::releaseMotor() {
   table_jobs_.start([rig = rig_](const Task&) { return rig->turntable->release(); },
                     [this](const Result<void>& outcome) {
                       if (!outcome) Q_EMIT failed(outcome.error());
+                      tellLock();
                     });
 }
 

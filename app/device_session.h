@@ -42,6 +42,8 @@ class DeviceSession final : public QObject {
   void open(const QString& turntable, const QString& camera);
   void close();
   void confirmTurntable();
+  void tellLock();     // whether the board is locked: lockTold()
+  void allowUnlock();  // a person's word for that
   void turnByDeg(double by_deg);
   void turnToDeg(double to_deg);
   void releaseMotor();
@@ -57,6 +59,7 @@ class DeviceSession final : public QObject {
   void openFailed(const gyre::Error& error);
   void failed(const gyre::Error& error);
   void angleKnownDeg(double angle_deg);
+  void lockTold(const QString& lock);  // why the board moves nothing until it may be unlocked
   void cameraTold(const gyre::CameraInfo& camera);
   void frameArrived(const gyre::FramePtr& frame);
   void progressed(double fraction, const QString& stage);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/rig.h"
 
+#include <cmath>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -39,7 +40,8 @@ Result<std::unique_ptr<SimulatedRoom>> furnish(const std::string& turntable_word
   room->settings = options.sim;
   placeObject(simulatedObject(turntable_word), room->settings);
   if (const auto valid = room->settings.validate(); !valid) return valid.error();
-  room->shaft = std::make_shared<Shaft>();
+  room->shaft = std::make_shared<Shaft>(
+      std::llround(room->settings.backlash_deg / 360.0 * room->settings.steps_per_turn));
   TurntableFirmwareOptions firmware;
   firmware.steps_per_turn = room->settings.firmware_steps_per_turn > 0.0
                                 ? room->settings.firmware_steps_per_turn
@@ -143,7 +145,9 @@ Result<std::unique_ptr<Turntable>> openTurntable(const std::string& word, const 
     return openReal(*parsed, options.turntable, options.ask_person, task);
   }
   GYRE_CHECK(room != nullptr);
-  auto turntable = ProtocolTurntable::open(room->firmware->openPort(), options.turntable, task);
+  TurntableOptions harmless = options.turntable;
+  harmless.may_unlock = true;  // there is no machine that could move unexpectedly
+  auto turntable = ProtocolTurntable::open(room->firmware->openPort(), harmless, task);
   if (!turntable) return turntable.error();
   return std::unique_ptr<Turntable>(std::move(turntable).value());
 }

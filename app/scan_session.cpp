@@ -1,6 +1,7 @@
 // What the window's jobs do with a rig and with files, as plain functions without a window.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scan_session.h"
+#include "app/kept_wire_log.h"
 
 #include <algorithm>
 #include <memory>
@@ -81,6 +82,7 @@ Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
                                          const ScanObserver& observer, const Task& task) {
   auto store = storeFor(rig, plan, observer, task);
   if (!store) return store.error();
+  const WireLogKeeper wire(plan.settings.turntable, store->folder());
   if (const auto ready = prepareTable(rig, plan, observer, *store, task); !ready)
     return ready.error();
   auto reconstruction = runScan(*rig.turntable, *rig.camera, *store, observer, task.part(0.0, 0.9));

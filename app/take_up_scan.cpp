@@ -9,6 +9,7 @@
 #include "core/device/recorded_camera.h"
 #include "core/pipeline/control_watch.h"
 #include "core/pipeline/find_view.h"
+#include "core/pipeline/measured_turntable.h"
 #include "core/pipeline/settling.h"
 #include "core/pipeline/stands_as_before.h"
 
@@ -51,11 +52,14 @@ Result<Place> placeIn(const cv::Mat& picture_bgr, const ScanStore& store, const 
 // A picture of the last captured view, after the table was turned back to it.
 Result<FramePtr> lastViewAgain(const Rig& rig, const ScanStore& store, const Task& task) {
   const double angle_rad = store.views().back().table_angle_rad;
+  const CalibratedTurntable known =
+      measuredTurntable(rig.turntable->info(), store.calibrationRecord());
+  takeUpBacklash(*rig.turntable, known.backlash_rad);
   if (auto moved = rig.turntable->moveTo(angle_rad - kPreRoll_rad, task); !moved) {
     return moved.error();
   }
   if (auto moved = rig.turntable->moveTo(angle_rad, task); !moved) return moved.error();
-  return Settling().grabStill(*rig.camera, steadySeconds(), task);
+  return Settling(known.settle_s).grabStill(*rig.camera, steadySeconds(), task);
 }
 
 class TakingUp {

@@ -20,6 +20,7 @@ Result<TurntableWord> byHand(const std::string& word) {
   TurntableWord found;
   if (word == kHand) return found;
   const std::string number = word.substr(kHand.size() + 1);
+  if (number == "free") return found;
   const char* end = number.data() + number.size();
   const auto parsed = std::from_chars(number.data(), end, found.marks);
   if (parsed.ec == std::errc() && parsed.ptr == end && found.marks >= 2 &&
@@ -28,7 +29,7 @@ Result<TurntableWord> byHand(const std::string& word) {
   }
   return Error{Error::Code::kInvalidInput,
                "\"" + word + "\" does not say how many marks the table has.",
-               "Write hand:36 for marks every ten degrees."};
+               "Write hand:36 for marks every ten degrees, or hand:free for a ring of markers."};
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ struct TurntableWord {
   bool isNetwork() const { return port.starts_with("tcp:"); }
 };
 
-// [FIRMWARE:|FILE.json:]PORT or hand[:MARKS]. kInvalidInput for what is neither; whether the port
-// is there is found out when it is opened.
+// [FIRMWARE:|FILE.json:]PORT, hand[:MARKS] or hand:free. kInvalidInput for what is neither; whether
+// the port is there is found out when it is opened.
 Result<TurntableWord> turntableWord(const std::string& word);
 
 // The same word, with a port's stable name in place of the one that changes with the socket, and a

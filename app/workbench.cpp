@@ -116,6 +116,9 @@ void Workbench::wireDevices() {
     devices->confirmTurntable();
     showSteps();
   });
+  connect(panel, &DevicePanel::unlockAllowed, devices, &DeviceSession::allowUnlock);
+  connect(devices, &DeviceSession::lockTold, panel, &DevicePanel::askToUnlock);
+  connect(&calibrations_, &CalibrationController::turnFailed, this, &Workbench::askWhenLocked);
   connect(devices, &DeviceSession::opened, this, &Workbench::devicesOpened);
   connect(devices, &DeviceSession::openFailed, this, [this] {
     demo_ = false;
@@ -216,6 +219,7 @@ void Workbench::wireFacts() {
             showSteps();
           });
   connect(&controller_, &ScanController::failed, this, [this](const Error& error) {
+    askWhenLocked(error);
     window_.work_page->banner->showError(error);
     window_.log_panel->addLine(QString::fromStdString(error.sentence()));
   });
@@ -244,6 +248,7 @@ void Workbench::devicesOpened(const TurntableInfo& turntable, const CameraInfo& 
   DevicePanel* panel = window_.work_page->device_panel;
   device_id_ = QString::fromStdString(turntable.device_id);
   panel->showTurntable(turntable);
+  panel->askToUnlock(QString::fromStdString(turntable.lock));
   panel->showCamera(camera);
   DeviceSession& devices = controller_.devices();
   const QString kept = settings_.calibrationFor(device_id_, devices.cameraWord());
@@ -261,6 +266,11 @@ void Workbench::devicesOpened(const TurntableInfo& turntable, const CameraInfo& 
   showCost();
   showSteps();
   if (demo_) controller_.takeEmptyTable();
+}
+
+// The question stands in step 1 until it is answered.
+void Workbench::askWhenLocked(const Error& error) {
+  if (error.code == Error::Code::kNoPermission) controller_.devices().tellLock();
 }
 
 void Workbench::newScan() {

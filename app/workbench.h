@@ -39,6 +39,7 @@ class Workbench final : public QObject {
   void wireResults();
   void wireFacts();
   void listDevices();
+  void askWhenLocked(const Error& error);
   void devicesOpened(const TurntableInfo& turntable, const CameraInfo& camera);
   void useCalibration(const QString& file);
   void showLastCalibration();

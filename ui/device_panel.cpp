@@ -62,6 +62,7 @@ DevicePanel::DevicePanel(QWidget* parent) : QWidget(parent) {
   layout->setSpacing(kGap_px);
   buildChoice(*layout);
   buildQuestion(*layout);
+  buildLock(*layout);
   buildMoves(*layout);
   buildCamera(*layout);
   layout->addStretch(1);
@@ -113,6 +114,23 @@ void DevicePanel::buildQuestion(QVBoxLayout& layout) {
     Q_EMIT turntableConfirmed();
   });
   question_->hide();
+}
+
+void DevicePanel::buildLock(QVBoxLayout& layout) {
+  QVBoxLayout* card = nullptr;
+  lock_ = makeCard(card);
+  layout.addWidget(lock_);
+  card->addWidget(makeLabel(tr("May the board be unlocked?"), "heading"));
+  lock_text_ = makeLabel(QString());
+  card->addWidget(lock_text_);
+  auto* yes = makePrimaryButton(tr("Unlock it"), tr("Allow that the board is unlocked before its "
+                                                    "next move, until it is disconnected"));
+  card->addWidget(yes);
+  connect(yes, &QPushButton::clicked, this, [this] {
+    lock_->hide();
+    Q_EMIT unlockAllowed();
+  });
+  lock_->hide();
 }
 
 void DevicePanel::buildMoves(QVBoxLayout& layout) {
@@ -224,6 +242,7 @@ void DevicePanel::showPhase(ScanPhase phase) {
   camera_card_->setEnabled(at_rest);
   if (idle) {
     question_->hide();
+    lock_->hide();
     moves_->hide();
     camera_card_->hide();
   }
@@ -266,6 +285,11 @@ void DevicePanel::showAngleDeg(double angle_deg) {
 void DevicePanel::askWhetherTurntable() {
   question_->show();
   moves_->hide();
+}
+
+void DevicePanel::askToUnlock(const QString& lock) {
+  lock_text_->setText(lock);
+  lock_->setVisible(!lock.isEmpty());
 }
 
 void DevicePanel::allowMoving() {

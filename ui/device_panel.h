@@ -39,12 +39,16 @@ class DevicePanel final : public QWidget {
   void showAngleDeg(double angle_deg);
   void askWhetherTurntable();  // hides the moves until the user says yes
   void allowMoving();
+  // Asks whether a locked board may be unlocked; lock: why it is, and what to do. An empty text
+  // takes the question away.
+  void askToUnlock(const QString& lock);
 
  Q_SIGNALS:
   void refreshRequested();
   void connectRequested(const QString& turntable, const QString& camera);
   void disconnectRequested();
   void turntableConfirmed();
+  void unlockAllowed();
   void turnRequestedDeg(double by_deg);
   void angleRequestedDeg(double to_deg);
   void releaseRequested();
@@ -52,6 +56,7 @@ class DevicePanel final : public QWidget {
  private:
   void buildChoice(QVBoxLayout& layout);
   void buildQuestion(QVBoxLayout& layout);
+  void buildLock(QVBoxLayout& layout);
   void buildMoves(QVBoxLayout& layout);
   void buildCamera(QVBoxLayout& layout);
   void showHindrance();
@@ -63,6 +68,8 @@ class DevicePanel final : public QWidget {
   QPushButton* disconnect_;
   QFrame* question_;
   QLabel* question_text_;
+  QFrame* lock_;
+  QLabel* lock_text_;
   QFrame* moves_;
   QLabel* firmware_;
   QLabel* angle_;

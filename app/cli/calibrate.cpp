@@ -12,6 +12,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "app/calibration_run.h"
+#include "app/cli/ask_person.h"
 #include "app/cli/calibrate_ending.h"
 #include "app/cli/scan_ending.h"
 #include "app/cli/scan_words.h"
@@ -34,6 +35,7 @@ struct Words {
   std::string turntable;
   std::string camera;
   RigOptions rig;
+  bool unlock = false;
   int turns_pictures = 24;
   std::string keep;
   std::string check;
@@ -158,6 +160,10 @@ int fromRig(const Words& words, Console& console, const Task& task) {
   auto rig = openRig(words.turntable, words.camera, options, task);
   if (!rig) return console.fail(rig.error());
   tellDevices(console, *rig);
+  if (const auto allowed = allowUnlock(*rig->turntable, unlockWord(words.unlock), console, task);
+      !allowed) {
+    return console.fail(allowed.error());
+  }
   if (rig->room) rig->room->setTable(TableLoad::kObject);
   const auto outcome = calibrateLive({*rig->turntable, *rig->camera}, setup->target, setup->options,
                                      watcherOf(console), task);
@@ -210,6 +216,7 @@ void addRigWords(CLI::App& command, Words& words) {
       ->check(CLI::IsMember({50, 60}));
   command.add_option("--axis", words.rig.turntable.axis,
                      "Letter of the axis that turns (default X)");
+  addUnlockWord(command, words.unlock);
   command.add_option("--pictures", words.turns_pictures, "Pictures in one turn (default 24)")
       ->check(CLI::Range(6, 1000));
   command.add_option("--keep", words.keep, "Folder to keep the pictures in, with angles.csv");

@@ -10,7 +10,9 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "app/cli/ask_person.h"
 #include "app/cli/device_words.h"
+#include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/rig.h"
 #include "app/table_at_port.h"
@@ -18,6 +20,7 @@
 #include "core/device/discovery.h"
 #include "core/device/port_doctor.h"
 #include "core/device/protocol_turntable.h"
+#include "core/pipeline/watch_motor.h"
 
 namespace gyre {
 namespace {
@@ -25,22 +28,60 @@ namespace {
 struct Words {
   bool json = false;
   std::string probe;
+  std::string watch;  // a camera; empty: nothing is moved
+  bool unlock = false;
+};
+
+// What answers at a port, and the table itself where it is one.
+struct Probed {
+  PortDiagnosis diagnosis;
+  std::unique_ptr<Turntable> table;
 };
 
 // What answers at the port. Moves nothing.
-PortDiagnosis diagnose(const TurntableWord& word, const Task& task) {
+Probed diagnose(const TurntableWord& word, const Task& task) {
   const TurntableOptions options;
   TableSearch search = searchAtPort(word, options.greeting_s, task);
+  Probed probed;
   std::optional<TurntableInfo> info;
   if (search.driver) {
-    const auto table = ProtocolTurntable::adopt(std::move(search.driver), options, task);
+    auto table = ProtocolTurntable::adopt(std::move(search.driver), options, task);
     if (table) {
       info = (*table)->info();
+      probed.table = std::move(*table);
     } else {
       search.error = table.error();
     }
   }
-  return diagnoseSearch(word.port, search, info);
+  probed.diagnosis = diagnoseSearch(word.port, search, info);
+  return probed;
+}
+
+bool isUsable(PortState state) {
+  return state == PortState::kTurntable || state == PortState::kHindered ||
+         state == PortState::kLocked;
+}
+
+// Turns the table before the camera: a motor that stands is told as such. Nothing when it turns.
+Result<std::optional<PortDiagnosis>> watchTheMotor(const Words& words, Probed& probed,
+                                                   Console& console, const Task& task) {
+  const auto camera = openCamera(words.watch, RigOptions{}, nullptr);
+  if (!camera) return camera.error();
+  if (const auto allowed = allowUnlock(*probed.table, unlockWord(words.unlock), console, task);
+      !allowed) {
+    return allowed.error();
+  }
+  const auto seen = watchMotor(*probed.table, **camera, task);
+  if (!seen) return seen.error();
+  (void)probed.table->release();
+  if (seen->turns) return std::optional<PortDiagnosis>();
+  PortDiagnosis stands = diagnoseMotor(probed.diagnosis.port, motorStands(seen->told_rad));
+  stands.firmware = probed.diagnosis.firmware;
+  stands.baud = probed.diagnosis.baud;
+  stands.steps_per_turn = probed.diagnosis.steps_per_turn;
+  stands.hindrances = probed.diagnosis.hindrances;
+  stands.answers = probed.diagnosis.answers;
+  return std::optional(stands);
 }
 
 int probe(const Words& words, Console& console, const Task& task) {
@@ -50,15 +91,22 @@ int probe(const Words& words, Console& console, const Task& task) {
     return console.wrongUse({Error::Code::kInvalidInput, "A table turned by hand has no port.",
                              "Name a port, such as /dev/ttyUSB0."});
   }
-  const PortDiagnosis found = diagnose(*word, task);
+  Probed probed = diagnose(*word, task);
   if (task.stopRequested()) return console.fail(cancelled());
-  const bool usable = found.state == PortState::kTurntable || found.state == PortState::kHindered;
+  if (!words.watch.empty() && probed.table) {
+    auto stands = watchTheMotor(words, probed, console, task);
+    if (!stands) return console.fail(stands.error());
+    if (*stands) probed.diagnosis = **std::move(stands);
+  }
+  const PortDiagnosis& found = probed.diagnosis;
+  const bool usable = isUsable(found.state);
   if (words.json) {
     console.sayAlways(diagnosisJson(found));
     return usable ? kDone : kFailed;
   }
   if (usable) {
     tellDiagnosis(console, found);
+    if (!words.watch.empty()) console.say("    Its motor turns: the camera saw it.");
     return kDone;
   }
   tellAnswers(console, found.answers);
@@ -66,6 +114,10 @@ int probe(const Words& words, Console& console, const Task& task) {
 }
 
 int run(const Words& words, Console& console, const Task& task) {
+  if (words.probe.empty() && !words.watch.empty()) {
+    return console.wrongUse({Error::Code::kInvalidInput, "Nothing says which port to watch.",
+                             "Give --probe PORT beside --watch CAMERA."});
+  }
   if (!words.probe.empty()) return probe(words, console, task);
   std::vector<ListedPort> ports;
   for (const PortInfo& port : listPorts()) ports.push_back({port, diagnosePort(port.path)});
@@ -93,6 +145,11 @@ void addDevices(CLI::App& app, Run& chosen) {
       ->check([](const std::string& port) {
         return namesSimulation(port) ? "sim is always there; name a port" : "";
       });
+  command->add_option(
+      "--watch", words->watch,
+      "With --probe: turn the table a little before this camera, to see whether its "
+      "motor turns");
+  addUnlockWord(*command, words->unlock);
   command->callback([&chosen, words] {
     chosen = [words](Console& console, const Task& task) { return run(*words, console, task); };
   });

@@ -9,8 +9,11 @@
 
 #include "app/cli/ask_person.h"
 #include "app/cli/scan_ending.h"
+#include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
+#include "app/free_hand.h"
+#include "app/kept_wire_log.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
 #include "app/take_up_scan.h"
@@ -25,6 +28,7 @@ struct Words {
   std::string turntable;  // empty: as before
   std::string camera;     // likewise
   bool trust = false;
+  bool unlock = false;
   double sim_speed = 10.0;
 };
 
@@ -52,7 +56,18 @@ int captureRest(const Words& words, Console& console, ScanStore& store, const Ta
   task.report(0.0, "Opening turntable and camera");
   auto rig = openAgain(words, console, store, task);
   if (!rig) return failScan(console, store, rig.error());
+  const WireLogKeeper wire(words.turntable.empty() ? store.settings().turntable : words.turntable,
+                           store.folder());
   tellDevices(console, *rig);
+  if (const auto allowed = allowUnlock(*rig->turntable, unlockWord(words.unlock), console, task);
+      !allowed) {
+    return failScan(console, store, allowed.error());
+  }
+  if (namesFreeHand(store.settings().turntable) && words.turntable.empty()) {
+    const auto watched = watchByRing(*rig, store.calibrationRecord(), store.settings().views,
+                                     tellAtTerminal(console), task);
+    if (!watched) return failScan(console, store, watched.error());
+  }
   if (rig->room) rig->room->setTable(TableLoad::kObject);
   const auto taken_up =
       takeUpScan(*rig, store, words.trust ? TakeUp::kTrust : TakeUp::kProve, task.part(0.0, 0.05));
@@ -99,6 +114,7 @@ void addResume(CLI::App& app, Run& chosen) {
   command->add_option("--camera", words->camera, "When its address needs a password, or changed");
   command->add_flag("--trust", words->trust,
                     "Go on though the pictures do not show that all stands as it stood");
+  addUnlockWord(*command, words->unlock);
   command->add_option("--sim-speed", words->sim_speed, "Simulated seconds a second (default 10)")
       ->check(CLI::Range(0.1, 1000.0));
   command->callback([&chosen, words] {

@@ -16,6 +16,8 @@
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
 #include "app/empty_table.h"
+#include "app/free_hand.h"
+#include "app/kept_wire_log.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
 #include "app/turntable_word.h"
@@ -33,6 +35,7 @@ struct Words {
   std::string background;
   std::string out;
   int mains_hz = 0;
+  bool unlock = false;
   SimWords sim;
 };
 
@@ -110,6 +113,15 @@ int run(const Words& words, Console& console, const Task& task) {
   auto rig = openRig(plan->settings.turntable, plan->settings.camera, plan->options, task);
   if (!rig) return console.fail(rig.error());
   tellDevices(console, *rig);
+  if (const auto allowed = allowUnlock(*rig->turntable, unlockWord(words.unlock), console, task);
+      !allowed) {
+    return console.fail(allowed.error());
+  }
+  if (namesFreeHand(plan->settings.turntable)) {
+    const auto watched =
+        watchByRing(*rig, plan->calibration, plan->settings.views, tellAtTerminal(console), task);
+    if (!watched) return console.fail(watched.error());
+  }
   if (const auto matched = matchCalibration(words, *rig, *plan, console, task); !matched) {
     return console.fail(matched.error());
   }
@@ -118,6 +130,7 @@ int run(const Words& words, Console& console, const Task& task) {
   if (!uneven.empty()) console.warn(uneven);
   auto store = ScanStore::create(words.out, plan->settings, plan->calibration);
   if (!store) return console.fail(store.error());
+  const WireLogKeeper wire(plan->settings.turntable, store->folder());
   return endScan(console, *store, scan(words, *rig, *store, console, task.part(0.0, 0.9)),
                  task.part(0.9, 1.0));
 }
@@ -129,9 +142,10 @@ void addScan(CLI::App& app, Run& chosen) {
   ScanSettings& settings = words->settings;
   CLI::App* command = app.add_subcommand("scan", "Scan what stands on the turntable");
   command
-      ->add_option("--turntable", settings.turntable,
-                   "[FIRMWARE:]PORT, [FIRMWARE:]tcp:HOST:PORT, FILE.json:PORT, hand[:MARKS], "
-                   "sim[:OBJECT] or sim:target[:FILE]")
+      ->add_option(
+          "--turntable", settings.turntable,
+          "[FIRMWARE:]PORT, [FIRMWARE:]tcp:HOST:PORT, FILE.json:PORT, hand[:MARKS], hand:free, "
+          "sim[:OBJECT] or sim:target[:FILE]")
       ->required();
   command
       ->add_option("--camera", settings.camera,
@@ -143,6 +157,7 @@ void addScan(CLI::App& app, Run& chosen) {
       ->check(CLI::IsMember({50, 60}));
   command->add_option("--calibration", words->calibration, "calibration.json of this rig");
   command->add_option("--axis", settings.axis, "Letter of the axis that turns (default X)");
+  addUnlockWord(*command, words->unlock);
   command->add_option("--background", words->background, "Picture of the empty table, or a folder");
   command->add_option("--views", settings.views, "Pictures in one turn (default 200)")
       ->check(CLI::Range(2, 100000));

@@ -25,6 +25,13 @@ void addSimWords(CLI::App& command, SimWords& words) {
       ->check(CLI::Range(0.1, 1000.0));
 }
 
+void addUnlockWord(CLI::App& command, bool& unlock) {
+  command.add_flag("--unlock", unlock,
+                   "Unlock a board that is locked at its start; only when it is your turntable");
+}
+
+UnlockWord unlockWord(bool unlock) { return unlock ? UnlockWord::kGiven : UnlockWord::kAsk; }
+
 Result<RigSettings> simulatedRig(const SimWords& words, const std::string& object) {
   RigSettings rig;
   if (!words.rig_file.empty()) {

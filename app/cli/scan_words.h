@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "app/cli/ask_person.h"
 #include "app/rig.h"
 #include "core/base/result.h"
 
@@ -22,6 +23,10 @@ struct SimWords {
 };
 
 void addSimWords(CLI::App& command, SimWords& words);
+
+// --unlock, where a turntable is opened.
+void addUnlockWord(CLI::App& command, bool& unlock);
+UnlockWord unlockWord(bool unlock);
 
 // The settings that the words ask for, on top of the default rig. object: empty for the rig's own.
 Result<RigSettings> simulatedRig(const SimWords& words, const std::string& object);

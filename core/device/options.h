@@ -19,6 +19,7 @@ struct TurntableOptions {
   bool turning_measured = false;  // a camera found units and direction: they need not be round
   double greeting_s = 3.0;        // how long a board may take to start after its port is opened
   std::string device_id;          // stable name for reports; empty = the port's name
+  bool may_unlock = false;        // a person has said that a locked board may be unlocked
 
   template <class V>
   void describe(V& visit) {

@@ -166,10 +166,10 @@ PortDiagnosis withoutPort(const KnownAdapter& known, const std::string& vendor,
 }  // namespace
 
 std::string_view portStateWord(PortState state) {
-  constexpr std::array<std::string_view, 15> kWords = {
-      "ready",         "turntable", "hindered", "no-device", "no-driver",        "grabbed",
-      "no-permission", "busy",      "moving",   "garbled",   "unknown-firmware", "silent",
-      "motor-stands",  "gone",      "failed"};
+  constexpr std::array<std::string_view, 16> kWords = {
+      "ready",   "turntable",     "hindered", "locked", "no-device", "no-driver",
+      "grabbed", "no-permission", "busy",     "moving", "garbled",   "unknown-firmware",
+      "silent",  "motor-stands",  "gone",     "failed"};
   return kWords.at(static_cast<std::size_t>(state));
 }
 
@@ -250,6 +250,10 @@ PortDiagnosis diagnoseSearch(const std::string& port, const TableSearch& search,
   if (!info->hindrances.empty()) {
     diagnosis.state = PortState::kHindered;
     diagnosis.advice = "Nothing was changed; what hinders it follows, with its cure.";
+  }
+  if (!info->lock.empty()) {
+    diagnosis.state = PortState::kLocked;
+    diagnosis.advice = info->lock;
   }
   return diagnosis;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device/protocol_turntable.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -15,6 +16,7 @@ namespace gyre {
 namespace {
 
 constexpr int kTries = 3;
+constexpr double kLongestApproach_deg = 45.0;  // as TurntableOptions allow
 
 Error angleUnknown() {
   return {Error::Code::kAlarm, "The angle of the turntable is not known any more.",
@@ -43,6 +45,7 @@ Result<std::unique_ptr<ProtocolTurntable>> ProtocolTurntable::adopt(
   if (const Result<void> valid = options.validate(); !valid) return valid.error();
   std::unique_ptr<ProtocolTurntable> table(new ProtocolTurntable(std::move(driver), options));
   if (const Result<void> adopted = table->setUp(options); !adopted) return adopted.error();
+  if (options.may_unlock) table->driver_->allowUnlock();
   const Result<std::int64_t> place = table->driver_->place([&] { return task.stopRequested(); });
   if (!place) return place.error();
   table->place_steps_ = table->origin_steps_ = *place;
@@ -133,6 +136,8 @@ Result<void> ProtocolTurntable::moveTo(double angle_rad, const Task& task) {
   if (interrupted()) return cancelled();
   for (int i = 0; i < kTries; ++i) {
     const Result<void> ready = driver_->makeReady(place_steps_, interrupted);
+    if (!ready && ready.error().code == Error::Code::kNoPermission)
+      return ready;  // nothing was begun
     if (!ready) return fail(ready.error());
     const Result<bool> arrived = attempt(target, interrupted);
     if (!arrived) return fail(arrived.error());
@@ -170,6 +175,18 @@ Result<void> ProtocolTurntable::setAngle(double angle_rad) {
   if (!angle_known_) ++count_;
   angle_known_ = true;
   return {};
+}
+
+void ProtocolTurntable::setApproach(double approach_rad) {
+  options_.approach_deg = std::clamp(degFromRad(approach_rad), 0.0, kLongestApproach_deg);
+}
+
+double ProtocolTurntable::approachRad() const { return radFromDeg(options_.approach_deg); }
+
+TurntableInfo ProtocolTurntable::info() const {
+  TurntableInfo info = info_;
+  if (const std::optional<Error> lock = driver_->lock()) info.lock = lock->sentence();
+  return info;
 }
 
 Result<void> ProtocolTurntable::release() {

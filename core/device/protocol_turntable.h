@@ -22,7 +22,9 @@ namespace gyre {
 //
 // The angle is unknown after an alarm, after the board restarted, and after release(), when a hand
 // may turn the table: moveTo() then refuses with kAlarm until setAngle(). Firmware settings are
-// read, never written.
+// read, never written. A board that is locked is unlocked with a person's word only, which the
+// options or allowUnlock() give: without it moveTo() refuses with kNoPermission, and nothing is
+// sent.
 class ProtocolTurntable final : public Turntable {
  public:
   // Identifies the driver's firmware, waiting at most options.greeting_s for each greeting; moves
@@ -48,7 +50,10 @@ class ProtocolTurntable final : public Turntable {
   void stop() noexcept override { stop_requested_ = true; }
   Result<void> release() override;
   Result<void> correct(double turned_over_told) override;
-  TurntableInfo info() const override { return info_; }
+  void setApproach(double approach_rad) override;
+  double approachRad() const override;
+  void allowUnlock() override { driver_->allowUnlock(); }
+  TurntableInfo info() const override;
 
  private:
   ProtocolTurntable(std::unique_ptr<TableDriver> driver, TurntableOptions options)

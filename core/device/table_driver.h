@@ -26,7 +26,8 @@ struct TableMotor {
 
 // Places are motor steps by the firmware's own count and in its own direction. One thread at a
 // time. Every call ends by a deadline of its own, also when the far end is silent; `interrupted`
-// ends those waits that may be ended. Moves use no homing and no heater, and write no setting.
+// ends those waits that may be ended. Moves use no homing and no heater, write no setting, and
+// unlock nothing without a person's word.
 class TableDriver {
  public:
   virtual ~TableDriver() = default;
@@ -44,6 +45,7 @@ class TableDriver {
 
   // Makes a table that stands at this place ready to move, its motor on. kAlarm when it stands
   // elsewhere by the firmware's count, or when trouble() tells why the count means nothing.
+  // kNoPermission when lock() tells why; nothing but a question has then been sent.
   virtual Result<void> makeReady(std::int64_t expected, const Interrupted& interrupted) = 0;
 
   // Goes to the places in turn. Returns where it stands still at the end by the firmware's own
@@ -63,6 +65,13 @@ class TableDriver {
   virtual const std::optional<Error>& trouble() const = 0;
   // Takes in what was said meanwhile and forgets all trouble; true when there was some.
   virtual Result<bool> forgiveTrouble() = 0;
+
+  // Why the firmware refuses to move until it is unlocked, and nobody has allowed that:
+  // kNoPermission. Nothing when it does not refuse, as far as the last exchange told, or has no
+  // such lock.
+  virtual std::optional<Error> lock() const { return std::nullopt; }
+  // A person's word that makeReady() may unlock the board; void once it stops by itself again.
+  virtual void allowUnlock() {}
 
   virtual std::string portName() const = 0;
 

@@ -54,6 +54,16 @@ class Turntable {
   // becomes 0. Moves nothing; info() tells the corrected units. Fails when the ratio is absurd.
   virtual Result<void> correct(double turned_over_told) = 0;
 
+  // How far a backward move at least passes its target and returns, so that play in gears or belt
+  // is on the same side for every place [rad]. 0: not at all, to measure that play. Moves nothing;
+  // a table that a hand turns has no such thing.
+  virtual void setApproach(double approach_rad) { (void)approach_rad; }
+  virtual double approachRad() const { return 0.0; }
+
+  // A person's word that a board which info() calls locked may be unlocked by the next move. It
+  // holds until the table is closed or its board stops by itself. Moves and sends nothing.
+  virtual void allowUnlock() {}
+
   virtual TurntableInfo info() const = 0;
 
  protected:

@@ -48,10 +48,17 @@ std::string poseText(const Rigid3& pose) {
 }
 
 std::string turntableText(const CalibratedTurntable& turntable) {
+  std::string measured;
+  if (turntable.backlash_rad > 0.0) {
+    measured += ", " + quoted("backlash_rad") + jsonNumber(turntable.backlash_rad);
+  }
+  if (turntable.settle_s > 0.0) {
+    measured += ", " + quoted("settle_s") + jsonNumber(turntable.settle_s);
+  }
   return "{ " + quoted("device_id") + jsonString(turntable.device_id) + ", " + quoted("axis") +
          jsonString(turntable.axis) + ", " + quoted("units_per_turn") +
          jsonNumber(turntable.units_per_turn) + ", " + quoted("direction") +
-         std::to_string(turntable.direction) + " }";
+         std::to_string(turntable.direction) + measured + " }";
 }
 
 std::string cameraText(const CalibratedCamera& camera) {

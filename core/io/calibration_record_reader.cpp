@@ -83,6 +83,8 @@ std::optional<CalibratedTurntable> turntableOf(const json& value) {
   turntable.axis = textOf(memberOf(value, "axis"));
   read(memberOf(value, "units_per_turn"), turntable.units_per_turn);
   read(memberOf(value, "direction"), turntable.direction);
+  read(memberOf(value, "backlash_rad"), turntable.backlash_rad);
+  read(memberOf(value, "settle_s"), turntable.settle_s);
   return turntable;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/clock.h"
 #include "core/base/units.h"
 #include "core/pipeline/control_watch.h"
+#include "core/pipeline/measured_turntable.h"
 #include "core/pipeline/settling.h"
 #include "core/pipeline/sharpness.h"
 #include "core/scan/picture_size.h"
@@ -80,7 +81,9 @@ Result<void> acquireMissing(Turntable& turntable, Camera& camera, ScanStore& sto
   const std::vector<int> missing = missingViews(store);
   if (missing.empty()) return {};
   const Task silent(task.stopToken());
-  Settling settling;
+  const CalibratedTurntable known = measuredTurntable(turntable.info(), store.calibrationRecord());
+  takeUpBacklash(turntable, known.backlash_rad);
+  Settling settling(known.settle_s);
   CameraLog log(camera, store);
   const double first_rad = viewAngle(settings, missing.front());
   if (const auto moved = turntable.moveTo(first_rad - kPreRoll_rad, silent); !moved) return moved;

@@ -12,6 +12,7 @@
 #include "core/io/picture_file.h"
 #include "core/pipeline/calibrate.h"
 #include "core/pipeline/check_before_scan.h"
+#include "core/pipeline/measured_turntable.h"
 #include "core/pipeline/sightings.h"
 #include "core/pipeline/solve_and_check.h"
 
@@ -80,6 +81,7 @@ Result<FoundTurning> LiveCalibration::findTurning(const Task& task) {
   auto found = finder.find(options_.turning, task);
   if (!found) return found;
   if (auto done = rig_.turntable.correct(found->turned_over_told); !done) return done.error();
+  takeUpBacklash(rig_.turntable, found->backlash_rad);
   return found;
 }
 
@@ -162,8 +164,9 @@ Result<CalibrationOutcome> LiveCalibration::run(const Task& task) {
   outcome->reference = reference_;
   outcome->camera = calibratedCamera(rig_.camera.info());
   const TurntableInfo info = rig_.turntable.info();
-  outcome->turntable =
-      CalibratedTurntable{info.device_id, info.axis, info.units_per_turn, info.direction};
+  outcome->turntable = CalibratedTurntable{info.device_id,        info.axis,
+                                           info.units_per_turn,   info.direction,
+                                           turning->backlash_rad, settling_.delaySeconds()};
   return outcome;
 }
 

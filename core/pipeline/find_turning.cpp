@@ -23,6 +23,11 @@ constexpr double kFarEnough_rad = radFromDeg(4.0);
 constexpr double kUneven = 0.25;
 constexpr double kUnevenWorthTelling = 0.08;
 constexpr double kPlayWorthTelling_rad = radFromDeg(0.15);
+// Backlash is kept when it is as certain as this, and more than a usual motor's half step.
+constexpr double kBacklash_sigma = 4.0;
+constexpr double kSmallestBacklash_rad = radFromDeg(0.05);
+// Of the way back the table must follow so much, or the play is not taken up yet.
+constexpr double kFollowedShare = 0.25;
 // What an unknown lens may make of a ratio of one.
 constexpr double kAsToldShare = 0.04;
 
@@ -87,12 +92,14 @@ class TurningFinder::Search {
   Result<void> turnBy(double told_rad);
   Result<void> turnUntilSeen();
   Result<void> turnEvenly();
+  Result<void> turnBack();
   double ratio() const { return readings_.back().turned_rad / readings_.back().told_rad; }
   bool seen() const;
   std::vector<double> evenTurns() const;
   double evenRatio() const;
   double unevenness() const;  // of the equal moves, as a share of one of them
   FoundTurning conclude() const;
+  void concludeBacklash(FoundTurning& found) const;
 
   TurningFinder& finder_;
   const TurningOptions& options_;
@@ -102,6 +109,7 @@ class TurningFinder::Search {
   double target_told_rad_ = 0.0;
   std::vector<Reading> readings_ = {{}};
   std::size_t first_even_ = 0;  // reading before the first of the equal moves
+  std::size_t last_even_ = 0;   // reading after the last of them
 };
 
 Result<void> TurningFinder::Search::begin() {
@@ -177,13 +185,28 @@ Result<void> TurningFinder::Search::turnEvenly() {
     task_.report(0.5 + 0.5 * i / options_.even_moves, "Looking whether the table turns evenly");
     if (const auto turned = turnBy(told_rad); !turned) return turned;
   }
+  last_even_ = readings_.size() - 1;
   if (!(unevenness() < kUneven)) return slips(evenTurns());
   return {};
 }
 
+// Back twice and forward once. A table's own way of arriving from one side would hide its play.
+Result<void> TurningFinder::Search::turnBack() {
+  const double approach_rad = finder_.turntable_.approachRad();
+  finder_.turntable_.setApproach(0.0);
+  const double told_rad = options_.most_turn_rad / std::abs(evenRatio());
+  Result<void> turned;
+  for (const double by_rad : {-told_rad, -told_rad, told_rad}) {
+    task_.report(0.95, "Looking for play in gears and belt");
+    if (turned) turned = turnBy(by_rad);
+  }
+  finder_.turntable_.setApproach(approach_rad);
+  return turned;
+}
+
 std::vector<double> TurningFinder::Search::evenTurns() const {
   std::vector<double> turned_rad;
-  for (std::size_t i = first_even_ + 1; i < readings_.size(); ++i) {
+  for (std::size_t i = first_even_ + 1; i <= last_even_; ++i) {
     turned_rad.push_back(readings_[i].turned_rad - readings_[i - 1].turned_rad);
   }
   return turned_rad;
@@ -191,16 +214,16 @@ std::vector<double> TurningFinder::Search::evenTurns() const {
 
 double TurningFinder::Search::evenRatio() const {
   const Reading& from = readings_[first_even_];
-  const Reading& to = readings_.back();
+  const Reading& to = readings_[last_even_];
   return (to.turned_rad - from.turned_rad) / (to.told_rad - from.told_rad);
 }
 
 // Against what each was told, which coarse motor steps make different.
 double TurningFinder::Search::unevenness() const {
-  const double mean_rad = (readings_.back().turned_rad - readings_[first_even_].turned_rad) /
-                          static_cast<double>(readings_.size() - 1 - first_even_);
+  const double mean_rad = (readings_[last_even_].turned_rad - readings_[first_even_].turned_rad) /
+                          static_cast<double>(last_even_ - first_even_);
   double worst_rad = 0.0;
-  for (std::size_t i = first_even_ + 1; i < readings_.size(); ++i) {
+  for (std::size_t i = first_even_ + 1; i <= last_even_; ++i) {
     const double told_rad = readings_[i].told_rad - readings_[i - 1].told_rad;
     const double turned_rad = readings_[i].turned_rad - readings_[i - 1].turned_rad;
     worst_rad = std::max(worst_rad, std::abs(turned_rad - evenRatio() * told_rad));
@@ -208,14 +231,39 @@ double TurningFinder::Search::unevenness() const {
   return worst_rad / std::abs(mean_rad);
 }
 
+// The one motor place was reached going back first, and going forward last.
+void TurningFinder::Search::concludeBacklash(FoundTurning& found) const {
+  const Reading& forward = readings_.back();
+  const Reading& back = readings_[readings_.size() - 3];
+  const double way_rad = evenRatio() * (back.told_rad - readings_[last_even_].told_rad);
+  const double followed_rad = back.turned_rad - readings_[last_even_].turned_rad;
+  if (followed_rad / way_rad < kFollowedShare) {
+    found.remarks.push_back("Gears or belt have more than " +
+                            degText((1.0 - kFollowedShare) * options_.most_turn_rad) +
+                            " of play: the table hardly followed when it was turned back. Tighten "
+                            "them: places that are reached from the other side are not exact.");
+    return;
+  }
+  const double lost_rad = std::abs(back.turned_rad - forward.turned_rad);
+  const double sigma_rad = std::hypot(back.sigma_rad, forward.sigma_rad);
+  if (lost_rad < std::max(kSmallestBacklash_rad, kBacklash_sigma * sigma_rad)) return;
+  found.backlash_rad = lost_rad;
+  found.backlash_sigma_rad = sigma_rad;
+  found.remarks.push_back(
+      formatted("Gears or belt have %.2f\u00b0 \u00b1 %.2f\u00b0 of play: every "
+                "place is reached from the same side, past that.",
+                degFromRad(lost_rad), degFromRad(sigma_rad)));
+}
+
 FoundTurning TurningFinder::Search::conclude() const {
   const Reading& from = readings_[first_even_];
-  const Reading& to = readings_.back();
+  const Reading& to = readings_[last_even_];
   FoundTurning found;
   const double turned_rad = to.turned_rad - from.turned_rad;
   found.turned_over_told = evenRatio();
   found.sigma = std::hypot(to.sigma_rad, from.sigma_rad) / std::abs(turned_rad);
-  found.turned_rad = to.turned_rad;
+  found.turned_rad = readings_.back().turned_rad;
+  concludeBacklash(found);
   // What had been told before the even moves, less what it would have turned without play.
   const double missing_rad =
       std::abs(found.turned_over_told) * from.told_rad - std::abs(from.turned_rad);
@@ -223,6 +271,8 @@ FoundTurning TurningFinder::Search::conclude() const {
       3.0 * std::hypot(from.sigma_rad, found.sigma * std::abs(from.turned_rad));
   if (missing_rad > std::max(kPlayWorthTelling_rad, doubt_rad)) {
     found.play_rad = missing_rad;
+  }
+  if (found.play_rad > 0.0 && found.backlash_rad == 0.0) {
     found.remarks.push_back("Gears or belt have " + degText(missing_rad) +
                             " of play: the table followed only after that. Scans turn one way "
                             "only, so it does no harm there.");
@@ -246,6 +296,7 @@ Result<FoundTurning> TurningFinder::Search::run() {
   if (const auto done = begin(); !done) return done.error();
   if (const auto done = turnUntilSeen(); !done) return done.error();
   if (const auto done = turnEvenly(); !done) return done.error();
+  if (const auto done = turnBack(); !done) return done.error();
   task_.report(1.0, "The table's turning is known");
   return conclude();
 }

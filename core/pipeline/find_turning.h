@@ -36,6 +36,8 @@ struct FoundTurning {
   double turned_over_told = 1.0;     // negative: plus turned it clockwise, seen from above
   double sigma = 0.0;                // one standard deviation of its size, relative; lens aside
   double play_rad = 0.0;             // of gears or belt: turned away before the table followed
+  double backlash_rad = 0.0;         // lost when it turns back; 0 when none is certain
+  double backlash_sigma_rad = 0.0;   // one standard deviation of that
   double turned_rad = 0.0;           // in all; the table is left there
   std::vector<std::string> remarks;  // for the user, a sentence each
 };
@@ -43,10 +45,13 @@ struct FoundTurning {
 // Called after each move with what was told and what was seen, counted from the beginning.
 using TurningWatcher = std::function<void(double told_rad, double turned_rad)>;
 
-// Moves in the firmware's positive direction only: the first move is tiny, each next is twice the
-// last until the camera sees the table turn; from then on no move is told to turn further than
-// most_turn_rad. So for every ratio from 1/50 to 50, either way round, no move truly turns the
-// table by more than 20 degrees. Speed and ramps are the device's.
+// Finds the ratio by moves in the firmware's positive direction: the first move is tiny, each next
+// is twice the last until the camera sees the table turn; from then on no move is told to turn
+// further than most_turn_rad. So for every ratio from 1/50 to 50, either way round, no move truly
+// turns the table by more than 20 degrees. Speed and ramps are the device's.
+//
+// Then it turns back twice and forward once, to reach one motor place from both sides: what the
+// pictures of it differ by is the backlash, whatever the motor's own errors.
 //
 // The ratio is right to a few percent, as the lens is not known yet, and is 1 exactly when it is
 // that near. Nothing is changed in the device: give it to Turntable::correct().

@@ -135,6 +135,14 @@ FramePtr PlatterRing::withSeenAngle(const FramePtr& frame) const {
   return atAngle(frame, sight->angle_rad - *zero_rad_);
 }
 
+std::optional<double> PlatterRing::angleIn(const cv::Mat& image_bgr) const {
+  Frame frame;
+  frame.image_bgr = image_bgr;
+  const auto sight = look(frame);
+  if (!sight || !tellsAngle(*sight)) return std::nullopt;
+  return std::remainder(sight->angle_rad, kTurn_rad);
+}
+
 TurningReport PlatterRing::turning() const {
   TurningReport report;
   report.views = turned_;

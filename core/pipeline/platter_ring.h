@@ -38,6 +38,10 @@ class PlatterRing {
   // it is no view of the scan. Before the first frame that showed the ring, it comes back as it is.
   FramePtr withSeenAngle(const FramePtr& frame) const;
 
+  // Where one picture shows that the table stands, as the calibration counts its angle, (-pi, pi];
+  // nothing when the ring is not seen well enough, or does not lie where it was calibrated.
+  std::optional<double> angleIn(const cv::Mat& image_bgr) const;
+
   // How far the platter was off in each view; not judged where the ring was not seen.
   const std::vector<ViewDrift>& drift() const { return drift_; }
 

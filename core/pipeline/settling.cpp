@@ -54,6 +54,9 @@ bool somethingMoved(const cv::Mat& before_bgr, const cv::Mat& after_bgr) {
   return static_cast<double>(moved) > kSmallestShare * static_cast<double>(values.size());
 }
 
+Settling::Settling(double known_s)
+    : known_s_(std::clamp(known_s, 0.0, kLongestSwing_s)), delay_s_(known_s_) {}
+
 Result<FramePtr> Settling::grabStill(Camera& camera, double stood_s, const Task& task) {
   const bool due = views_ < kFirstViewsWatched || views_ % kWatchEvery == 0;
   ++views_;
@@ -62,7 +65,7 @@ Result<FramePtr> Settling::grabStill(Camera& camera, double stood_s, const Task&
 }
 
 Result<FramePtr> Settling::watch(Camera& camera, double stood_s, const Task& task) {
-  Result<FramePtr> before = camera.grabAfter(stood_s, task);
+  Result<FramePtr> before = camera.grabAfter(stood_s + known_s_, task);
   double still_since_s = stood_s;
   // Once a swing is seen, one still pair may be its turning point; two in a row are not.
   int still_pairs_needed = 1;

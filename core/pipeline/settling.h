@@ -17,6 +17,10 @@ bool somethingMoved(const cv::Mat& before_bgr, const cv::Mat& after_bgr);
 // time seen so far is waited, which costs nothing on a stiff table. One thread.
 class Settling {
  public:
+  // known_s: how long the table was seen to swing before; no picture is taken sooner. What is
+  // longer than tables swing is cut short. [s]
+  explicit Settling(double known_s = 0.0);
+
   // The first picture after stood_s in which nothing moves. When the pictures never come to rest (a
   // flickering lamp, a curtain), a fixed delay is waited from then on.
   Result<FramePtr> grabStill(Camera& camera, double stood_s, const Task& task);
@@ -26,6 +30,7 @@ class Settling {
  private:
   Result<FramePtr> watch(Camera& camera, double stood_s, const Task& task);
 
+  const double known_s_;
   int views_ = 0;
   double delay_s_ = 0.0;
   bool watching_helps_ = true;

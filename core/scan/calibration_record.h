@@ -22,6 +22,8 @@ struct CalibratedTurntable {
   std::string axis = "X";         // the letter of the firmware's axis
   double units_per_turn = 360.0;  // what the firmware counts in one turn
   int direction = 1;              // +1 when the firmware's plus is counter-clockwise from above
+  double backlash_rad = 0.0;      // lost when it turns back; 0 when none was seen
+  double settle_s = 0.0;          // from its arrival until nothing moves any more, with a margin
 
   bool operator==(const CalibratedTurntable&) const = default;
 };

@@ -34,6 +34,9 @@ struct TurntableInfo {
   int direction = 1;            // +1 when the firmware's plus is counter-clockwise from above
   double steps_per_turn = 0.0;
   std::vector<std::string> hindrances;  // settings that hinder turning, in words
+  // Why the board refuses to move until a person lets it be unlocked, and what to do about it;
+  // empty when it does not.
+  std::string lock = {};
 };
 
 // One camera control as asked for and as read back.

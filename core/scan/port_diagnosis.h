@@ -20,6 +20,7 @@ enum class PortState : std::uint8_t {
   kReady,            // may be opened; it was not asked who is there
   kTurntable,        // a known firmware answers, and nothing hinders it
   kHindered,         // a known firmware answers, but its settings hinder turning
+  kLocked,           // a known firmware answers, and moves nothing until it is unlocked
   kNoDevice,         // there is nothing of this name
   kNoDriver,         // a USB adapter is plugged in and has no port
   kGrabbed,          // the same, because brltty takes it for a braille display

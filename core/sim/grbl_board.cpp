@@ -112,7 +112,8 @@ void GrblBoard::receive(std::span<const std::byte> bytes, double time_s) {
 
 // Brings the motion up to the time, and ends what ends with it.
 void GrblBoard::settle(double time_s) {
-  motion_.advanceTo(time_s);
+  motion_.advanceTo(
+      time_s, [this](std::int64_t steps) { shaft_->setSteps(shaft_at_zero_ + sign() * steps); });
   turnShaft();
   if (motion_.moving()) return;
   if (cancelling_jog_) {

@@ -45,6 +45,7 @@ GrblSettings::GrblSettings(const TurntableFirmwareOptions& options)
   GYRE_CHECK(options.steps_per_turn > 0 && options.units_per_turn > 0);
   GYRE_CHECK(options.max_speed_deg_per_s > 0 && options.acceleration_deg_per_s2 > 0);
   const double units_per_deg = options.units_per_turn / 360.0;
+  values_[kHoming] = options.homing ? 1.0 : 0.0;
   values_[kStepsPerUnit] = rounded(options.steps_per_turn / options.units_per_turn);
   values_[kMaxRate] = rounded(options.max_speed_deg_per_s * 60.0 * units_per_deg);
   values_[kAcceleration] = rounded(options.acceleration_deg_per_s2 * units_per_deg);

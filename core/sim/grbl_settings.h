@@ -14,6 +14,7 @@ struct TurntableFirmwareOptions {
   double units_per_turn = 360.0;           // X counts degrees; > 0
   double max_speed_deg_per_s = 60.0;       // $110; > 0
   double acceleration_deg_per_s2 = 120.0;  // $120; > 0
+  bool homing = false;                     // $22: the board is locked after each start
   double boot_time_s = 0.4;                // from reset to banner, simulated; >= 0
 };
 

@@ -84,7 +84,9 @@ void LineBoard::advanceTo(double time_s) {
     if (time_s_ < *boots_at_s_) return;
     boot();
   }
-  motion_.advanceTo(time_s_);
+  motion_.advanceTo(time_s_, [this](std::int64_t steps) {
+    if (motor_on_) shaft_->setSteps(shaft_at_zero_ + steps);
+  });
   turnShaft();
   work();
 }

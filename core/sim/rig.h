@@ -64,6 +64,7 @@ struct RigSettings {
   double step_scale_error = 0.0;         // relative: 0.001 turns 360.36 deg for 360
   double white_error_deg = 0.02;
   double once_per_turn_error_deg = 0.05;  // amplitude; the seed chooses the phase
+  double backlash_deg = 0.0;              // lost when the motor turns back
 
   template <class V>
   void describe(V& visit);
@@ -163,6 +164,8 @@ void RigSettings::describe(V& visit) {
   visit({"white-error", "deg", 0, 5, "Random error of each position."}, white_error_deg);
   visit({"once-per-turn-error", "deg", 0, 5, "Error that comes back with each turn."},
         once_per_turn_error_deg);
+  visit({"backlash", "deg", 0, 20, "Play of gears or belt, lost when the motor turns back."},
+        backlash_deg);
 }
 
 }  // namespace gyre

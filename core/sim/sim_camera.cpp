@@ -32,7 +32,7 @@ void SimCamera::exposeByTheClock(const std::stop_token& stop) {
     {
       const std::lock_guard lock(mutex_);
       // A full queue loses the new picture, not the old ones: a driver has no free buffer for it.
-      if (queue_.size() < kQueueLength) queue_.push_back({shaft_->steps(), load_.load()});
+      if (queue_.size() < kQueueLength) queue_.push_back({shaft_->tableSteps(), load_.load()});
     }
     arrived_.notify_one();
     // Exposures that this thread slept through are lost, not made up for.

@@ -48,7 +48,8 @@ double StepperMotion::speedAfter(double elapsed_s) const {
   return std::min({peak_, acceleration_ * t, acceleration_ * (duration_s_ - t)});
 }
 
-void StepperMotion::advanceTo(double time_s) {
+void StepperMotion::advanceTo(double time_s,
+                              const std::function<void(std::int64_t steps)>& on_rest) {
   while (running_) {
     const double elapsed_s = time_s - start_s_;
     if (elapsed_s < duration_s_) {
@@ -67,6 +68,7 @@ void StepperMotion::advanceTo(double time_s) {
     }
     steps_ = queue_.front().target_steps;
     queue_.pop_front();
+    if (on_rest) on_rest(steps_);
     if (!queue_.empty()) start(end_s);
   }
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 
 namespace gyre {
 
@@ -26,8 +27,9 @@ class StepperMotion {
   // Not when full(). Starts at once when it is the only block, unless held.
   void add(const MotionBlock& block, double time_s);
 
-  // Moves on to the time; call before asking for anything.
-  void advanceTo(double time_s);
+  // Moves on to the time; call before asking for anything. on_rest is told each place at which a
+  // block ended meanwhile: the motion may turn back there.
+  void advanceTo(double time_s, const std::function<void(std::int64_t steps)>& on_rest = {});
 
   std::int64_t steps() const { return steps_; }
   double speed() const { return speed_steps_per_s_; }  // along the direction of motion, >= 0

@@ -62,6 +62,19 @@ TEST_F(BundleTest, TellsEverythingAndShowsNothing) {
   EXPECT_THAT(list, Not(HasSubstr("ply")));
 }
 
+TEST_F(BundleTest, TakesTheWireLogThatWasKeptWithTheScan) {
+  const auto log = wireLogFile("/dev/ttyUSB7");
+  std::filesystem::create_directories(log.parent_path());
+  putFile(log, "of another scan\n");
+  putFile(scan_ / "wire.log", "of this scan\n");
+  const auto bundled = writeBundle(scan_, folder_ / "a.tar.gz", BundlePictures::kLeaveOut, Task());
+  ASSERT_TRUE(bundled) << bundled.error().sentence();
+  EXPECT_EQ(bundled->files, 6U);
+  const std::string list = listOf(folder_ / "a.tar.gz");
+  EXPECT_THAT(list, HasSubstr("cup/wire.log"));
+  EXPECT_THAT(list, Not(HasSubstr("wire-dev")));
+}
+
 TEST_F(BundleTest, PicturesComeWhenTheyAreAskedFor) {
   const test::Answer answer =
       test::gyre({"bundle", (scan_ / "cup.gyre").string(), "--with-pictures", "--out",

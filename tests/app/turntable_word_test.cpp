@@ -40,6 +40,8 @@ TEST(TurntableWord, HandMayTellItsMarks) {
   EXPECT_EQ(turntableWord("hand")->marks, 0);
   EXPECT_TRUE(turntableWord("hand")->port.empty());
   EXPECT_EQ(turntableWord("hand:36")->marks, 36);
+  EXPECT_EQ(turntableWord("hand:free")->marks, 0);
+  EXPECT_TRUE(turntableWord("hand:free")->port.empty());
   for (const char* wrong : {"hand:", "hand:1", "hand:x", "hand:36x", "hand:-5", "hand:9999999"}) {
     const auto word = turntableWord(wrong);
     ASSERT_FALSE(word) << wrong;

@@ -263,6 +263,22 @@ TEST_F(Calibrate, FindsWrongStepsAndAReversedMotor) {
   EXPECT_TRUE(fs::exists(temp_ / "kept" / "angles.csv"));
 }
 
+TEST_F(Calibrate, MeasuresPlayThatIsLongerThanTheUsualApproach) {
+  RigSettings rig = wedgeRig();
+  rig.backlash_deg = 3.0;
+  const Answer answer = live(rig);
+  ASSERT_EQ(answer.code, 0) << answer.err << answer.out;
+  EXPECT_THAT(answer.out, HasSubstr("of play"));
+  const auto record = readCalibrationRecord(temp_ / "calibration.json");
+  ASSERT_TRUE(record) << record.error().sentence();
+  ASSERT_TRUE(record->turntable);
+  // In whole steps of 0.11 degrees; the lens was not known yet, which makes a few percent.
+  EXPECT_NEAR(record->turntable->backlash_rad, radFromDeg(3.0), radFromDeg(0.2));
+  EXPECT_EQ(record->turntable->settle_s, 0.0);  // the simulated table is stiff
+  EXPECT_NEAR(record->calibration.camera.fx, rig.focal_px, 0.001 * rig.focal_px);
+  EXPECT_LT(tiltOff(record->calibration, rig), radFromDeg(0.05));
+}
+
 TEST_F(Calibrate, SaysThatTheTargetIsNotThere) {
   RigSettings rig = wedgeRig();
   rig.object = "mouse";

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
+#include "core/device/serial_port.h"
 #include "core/device/whole_jpeg.h"
 #include "core/io/calibration_file.h"
 #include "core/io/picture_file.h"
@@ -39,9 +41,9 @@ constexpr int kViews = 12;
 // A turntable and a camera that the program can only reach as it reaches real ones.
 class Room {
  public:
-  Room()
+  explicit Room(const TurntableFirmwareOptions& board = {})
       : shaft_(std::make_shared<Shaft>()),
-        firmware_({}, shaft_, SimClock(20.0)),
+        firmware_(board, shaft_, SimClock(20.0)),
         renderer_(atImageWidth(RigSettings{}, 320)),
         camera_(
             [this](int) { return renderer_.render(shaft_->steps(), TableLoad::kObject).image_bgr; },
@@ -56,6 +58,7 @@ class Room {
   std::string cameraUrl() const { return camera_.url(); }
   const Renderer& renderer() const { return renderer_; }
   TurntableFirmware& firmware() { return firmware_; }
+  const Shaft& shaft() const { return *shaft_; }
 
  private:
   std::shared_ptr<Shaft> shaft_;
@@ -114,6 +117,90 @@ TEST(RealPortScan, EndsWithASentenceWhenThePortVanishes) {
   ASSERT_TRUE(store);
   EXPECT_GE(store->views().size(), 2U);
   EXPECT_FALSE(store->complete());
+}
+
+TEST(RealPortScan, PausesWithASentenceWhenTheBoardRaisesAnAlarm) {
+  Room room;
+  {
+    const auto terminal = SerialPort::open(room.port(), 115200);
+    ASSERT_TRUE(terminal) << terminal.error().sentence();
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    const std::string limits_on = "$21=1\n";
+    ASSERT_TRUE((*terminal)->write(std::as_bytes(std::span(limits_on)), 1.0));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  const TempDir temp;
+  std::int64_t stood = 0;
+  std::jthread presser([&] {
+    const auto journal = temp / "scan" / "journal.jsonl";
+    for (int i = 0; i < 3000; ++i) {
+      const std::string lines = fileText(journal);
+      if (std::count(lines.begin(), lines.end(), '\n') >= 2) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    room.firmware().pressLimitSwitch();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    stood = room.shaft().steps();
+  });
+  const Answer answer = gyre(scanWords(room, temp));
+  presser.join();
+  EXPECT_EQ(answer.code, 1);
+  EXPECT_THAT(answer.err, testing::HasSubstr("stopped by itself"));
+  EXPECT_THAT(answer.err, testing::HasSubstr("views are kept; `gyre resume"));
+  EXPECT_EQ(room.shaft().steps(), stood);
+  const std::string log = fileText(temp / "scan" / "wire.log");
+  EXPECT_FALSE(log.find("> $X", log.rfind("= opened")) != std::string::npos);
+}
+
+TEST(RealPortScan, LockedBoardIsNotMovedUnlessTheWordIsGiven) {
+  TurntableFirmwareOptions board;
+  board.homing = true;
+  Room room(board);
+  const TempDir temp;
+  std::vector<std::string> words = scanWords(room, temp);
+  const Answer refused = gyre(words);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.err, testing::HasSubstr("board is locked and moves nothing"));
+  EXPECT_THAT(refused.err, testing::HasSubstr("--unlock"));
+  EXPECT_EQ(room.shaft().steps(), 0);
+  EXPECT_FALSE(std::filesystem::exists(temp / "scan"));
+  words.emplace_back("--unlock");
+  const Answer allowed = gyre(words);
+  const auto store = ScanStore::open(temp / "scan");
+  ASSERT_TRUE(store) << allowed.err;
+  EXPECT_TRUE(store->complete()) << allowed.err;
+}
+
+TEST(RealPortScan, KeepsTheWiresLogWithTheScan) {
+  Room room;
+  const TempDir temp;
+  (void)gyre(scanWords(room, temp));
+  const std::string log = fileText(temp / "scan" / "wire.log");
+  EXPECT_THAT(log, testing::HasSubstr("> $$\\n"));
+  EXPECT_THAT(log, testing::HasSubstr("G53G1X"));
+  EXPECT_THAT(log, testing::HasSubstr("< ok"));
+}
+
+TEST(RealPort, MotorThatStandsIsToldByACamera) {
+  Room room;
+  const std::vector<std::string> probe = {"devices", "--probe", room.port(), "--json"};
+  std::vector<std::string> words = probe;
+  words.insert(words.end(), {"--watch", room.cameraUrl()});
+  const Answer turns = gyre(words);
+  EXPECT_EQ(turns.code, 0) << turns.err;
+  EXPECT_THAT(turns.out, testing::HasSubstr("\"state\": \"turntable\""));
+  EXPECT_EQ(room.shaft().steps(), 0);
+
+  // The picture stays what it is, whatever the board says that it does.
+  const cv::Mat still = room.renderer().render(0, TableLoad::kObject).image_bgr;
+  const test::MjpegServer blind([&](int) { return still; }, 15.0);
+  words = probe;
+  words.insert(words.end(), {"--watch", blind.url()});
+  const Answer stands = gyre(words);
+  EXPECT_EQ(stands.code, 1);
+  EXPECT_THAT(stands.out, testing::HasSubstr("\"state\": \"motor-stands\""));
+  EXPECT_THAT(stands.out, testing::HasSubstr("sees nothing move"));
+  EXPECT_THAT(stands.out, testing::HasSubstr("Grbl 1.1h"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <memory>
 
+#include <QFile>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -39,9 +40,9 @@ constexpr int kViews = 12;
 // What stands on the desk: the program reaches it by port and network only.
 class Desk {
  public:
-  Desk()
+  explicit Desk(const TurntableFirmwareOptions& board = {})
       : shaft_(std::make_shared<Shaft>()),
-        firmware_({}, shaft_, SimClock(20.0)),
+        firmware_(board, shaft_, SimClock(20.0)),
         renderer_(atImageWidth(RigSettings{}, 320)),
         camera_([this](int) { return renderer_.render(shaft_->steps(), load_).image_bgr; }, 15.0) {
     auto device = PtyPort::make();
@@ -123,10 +124,37 @@ class WindowRealPort : public testing::Test {
     ASSERT_TRUE(waitForPhase(ScanPhase::kScanning));
   }
 
+  explicit WindowRealPort(const TurntableFirmwareOptions& board = {}) : desk_(board) {}
+
   Desk desk_;
   QTemporaryDir folder_;
   std::unique_ptr<Workbench> bench_;
 };
+
+// Its board is locked after each start.
+class WindowLockedPort : public WindowRealPort {
+ protected:
+  WindowLockedPort() : WindowRealPort(lockedBoard()) {}
+  static TurntableFirmwareOptions lockedBoard() {
+    TurntableFirmwareOptions board;
+    board.homing = true;
+    return board;
+  }
+};
+
+TEST_F(WindowLockedPort, IsUnlockedOnlyWhenTheQuestionIsAnswered) {
+  connectDevices();
+  press(page().device_panel, "Yes, it may turn");
+  QSignalSpy failed(&controller(), &ScanController::failed);
+  Q_EMIT page().device_panel->turnRequestedDeg(9.0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatience_ms));
+  EXPECT_EQ(failed.front().at(0).value<Error>().code, Error::Code::kNoPermission);
+  EXPECT_EQ(desk_.shaft().steps(), 0);
+  press(page().device_panel, "Unlock it");
+  Q_EMIT page().device_panel->turnRequestedDeg(9.0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return desk_.shaft().steps() == 80; }, kPatience_ms));
+  EXPECT_EQ(failed.count(), 1);
+}
 
 TEST_F(WindowRealPort, MovesNothingBeforeTheUserSaysItIsATurntable) {
   connectDevices();
@@ -145,6 +173,7 @@ TEST_F(WindowRealPort, CapturesEveryView) {
   const auto store = ScanStore::open(folder_.filePath("scan").toStdString());
   ASSERT_TRUE(store.ok()) << store.error().sentence();
   EXPECT_TRUE(store->complete());
+  EXPECT_TRUE(QFile::exists(folder_.filePath("scan/wire.log")));
 }
 
 TEST_F(WindowRealPort, UsesTheCalibrationAgainWhenTheSameRigIsConnected) {

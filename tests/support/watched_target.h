@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "core/base/random.h"
@@ -97,9 +98,17 @@ class OddTable final : public Turntable {
 
   Result<void> moveTo(double angle_rad, const Task& task) override {
     if (task.stopRequested()) return cancelled();
-    told_rad_ = zero_rad_ + angle_rad / turned_over_told_;
+    const double to_rad = zero_rad_ + angle_rad / turned_over_told_;
+    if (angle_rad < angleRad() && approach_rad_ > 0.0) {
+      told_rad_ = to_rad - approach_rad_ / turned_over_told_;
+      (void)trueAngleRad();  // what has play follows on the way
+    }
+    told_rad_ = to_rad;
+    (void)trueAngleRad();
     return {};
   }
+  void setApproach(double approach_rad) override { approach_rad_ = approach_rad; }
+  double approachRad() const override { return approach_rad_; }
   double angleRad() const override { return (told_rad_ - zero_rad_) * turned_over_told_; }
   double trueAngleRad() const { return turned_rad_(told_rad_); }
   std::int64_t steps() const override { return 0; }
@@ -119,16 +128,21 @@ class OddTable final : public Turntable {
     info.axis = "X";
     info.units_per_turn = 360.0 / std::abs(turned_over_told_);
     info.direction = turned_over_told_ < 0.0 ? -1 : 1;
+    if (!may_unlock) info.lock = lock;
     return info;
   }
+  void allowUnlock() override { may_unlock = true; }
 
   bool stopped = false;
+  std::string lock;
+  bool may_unlock = false;
 
  private:
   std::function<double(double)> turned_rad_;
   double told_rad_ = 0.0;
   double zero_rad_ = 0.0;
   double turned_over_told_ = 1.0;
+  double approach_rad_ = 0.0;
 };
 
 }  // namespace gyre::test

@@ -77,5 +77,26 @@ TEST(DevicePanel, AsksBeforeItOffersMoves) {
   EXPECT_EQ(confirmed.count(), 1);
 }
 
+TEST(DevicePanel, AsksWhetherALockedBoardMayBeUnlocked) {
+  DevicePanel panel;
+  panel.showPhase(ScanPhase::kReady);
+  QSignalSpy allowed(&panel, &DevicePanel::unlockAllowed);
+  QPushButton* unlock = nullptr;
+  for (QPushButton* button : panel.findChildren<QPushButton*>()) {
+    if (button->text() == "Unlock it") unlock = button;
+  }
+  ASSERT_NE(unlock, nullptr);
+  EXPECT_TRUE(unlock->parentWidget()->isHidden());
+  panel.askToUnlock("The board is locked.");
+  EXPECT_FALSE(unlock->parentWidget()->isHidden());
+  EXPECT_TRUE(shows(panel, "The board is locked."));
+  unlock->click();
+  EXPECT_EQ(allowed.count(), 1);
+  EXPECT_TRUE(unlock->parentWidget()->isHidden());
+  panel.askToUnlock("The board is locked.");
+  panel.askToUnlock("");
+  EXPECT_TRUE(unlock->parentWidget()->isHidden());
+}
+
 }  // namespace
 }  // namespace gyre

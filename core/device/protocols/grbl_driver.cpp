@@ -56,8 +56,33 @@ Result<TableMotor> GrblDriver::setUp(const TurntableOptions& options) {
   return motor;
 }
 
+// The board's state, and by it whether it is locked.
+Result<GrblStatus> GrblDriver::status(const Interrupted& interrupted) {
+  Result<GrblStatus> status = link_.status(kReply_s, interrupted);
+  if (status) locked_ = status->state == GrblState::kAlarm || status->state == GrblState::kSleep;
+  return status;
+}
+
+std::optional<Error> GrblDriver::lock() const {
+  if (!locked_ || mayUnlock()) return std::nullopt;
+  const auto homing = board_.settings.find(22);
+  const bool homes = homing != board_.settings.end() && homing->second != 0.0;
+  std::string why = "it stopped by itself, or its motors were asleep";
+  if (link_.alarms() > 0) {
+    why = "it has stopped by itself";
+  } else if (slept_) {
+    why = "its motor was let go of";
+  } else if (homes) {
+    why = "it starts so because homing is on ($22)";
+  }
+  return Error{Error::Code::kNoPermission,
+               "The turntable's board is locked and moves nothing: " + why + ".",
+               "When this is your turntable and nothing is in its way, allow that it is unlocked: "
+               "with --unlock, or in the window's step 1."};
+}
+
 Result<std::int64_t> GrblDriver::place(const Interrupted& interrupted) {
-  const Result<GrblStatus> status = link_.status(kReply_s, interrupted);
+  const Result<GrblStatus> status = this->status(interrupted);
   if (!status) return status.error();
   if (status->state == GrblState::kRun || status->state == GrblState::kJog) {
     return Error{Error::Code::kBusy, "The table is moving.", "Wait until it stands."};
@@ -94,8 +119,9 @@ Result<std::int64_t> GrblDriver::stepsIn(const GrblStatus& status) const {
 Result<void> GrblDriver::makeReady(std::int64_t expected, const Interrupted& interrupted) {
   bool moved = false;
   for (int i = 0; i < 2 * kTries; ++i) {
-    const Result<GrblStatus> status = link_.status(kReply_s, interrupted);
+    const Result<GrblStatus> status = this->status(interrupted);
     if (!status) return status.error();
+    if (const std::optional<Error> locked = lock()) return *locked;
     if (status->state == GrblState::kIdle) {
       if (const Result<std::int64_t> steps = stepsIn(*status); !steps) return steps.error();
       if (standsAt(*status, expected)) {
@@ -116,7 +142,7 @@ Result<void> GrblDriver::makeReady(std::int64_t expected, const Interrupted& int
 Result<void> GrblDriver::wake(const GrblStatus& status, const Interrupted& interrupted) {
   switch (status.state) {
     case GrblState::kAlarm: {
-      // The caller has just set the angle, or connected: nothing is lost by unlocking.
+      // A person has allowed it, and the caller has just set the angle, or connected.
       const Result<void> unlocked = link_.command("$X", kReply_s, interrupted);
       if (!unlocked && unlocked.error().code != Error::Code::kTimeout) return unlocked;
       return {};
@@ -275,7 +301,7 @@ Result<std::optional<std::int64_t>> GrblDriver::softReset() {
   }
   if (const Result<void> quiet = link_.drain(); !quiet) return quiet.error();
   link_.forgiveTrouble();
-  const Result<GrblStatus> status = link_.status(kReply_s, {});
+  const Result<GrblStatus> status = this->status({});
   if (!status) return status.error();
   const Result<std::int64_t> steps = stepsIn(*status);
   if (!steps) return steps.error();
@@ -285,7 +311,11 @@ Result<std::optional<std::int64_t>> GrblDriver::softReset() {
 }
 
 // $SLP switches the motor off until the next reset, and writes no setting.
-Result<void> GrblDriver::release() { return link_.command("$SLP", kReply_s, {}); }
+Result<void> GrblDriver::release() {
+  const Result<void> asleep = link_.command("$SLP", kReply_s, {});
+  if (asleep) locked_ = slept_ = true;
+  return asleep;
+}
 
 Result<bool> GrblDriver::forgiveTrouble() {
   if (const Result<void> quiet = link_.drain(); !quiet) return quiet.error();

@@ -17,6 +17,9 @@ namespace gyre {
 // that a line spoilt on the wire can simply be sent again; "ok" is never taken for arrival: only
 // Idle at the target is. Firmware settings are read, never written. When the port vanishes, the one
 // move that the board has been given goes on.
+//
+// A board is locked when it starts with homing on, after an alarm, and when it wakes from the sleep
+// in which release() leaves it. The lock is lifted with a person's word only; an alarm voids that.
 class GrblDriver final : public TableDriver {
  public:
   explicit GrblDriver(std::unique_ptr<BytePort> port) : link_(std::move(port)) {}
@@ -31,9 +34,13 @@ class GrblDriver final : public TableDriver {
   Result<void> release() override;
   const std::optional<Error>& trouble() const override { return link_.trouble(); }
   Result<bool> forgiveTrouble() override;
+  std::optional<Error> lock() const override;
+  void allowUnlock() override { alarms_at_word_ = link_.alarms(); }
   std::string portName() const override { return link_.name(); }
 
  private:
+  bool mayUnlock() const { return alarms_at_word_ == link_.alarms(); }
+  Result<GrblStatus> status(const Interrupted& interrupted);
   Result<void> wake(const GrblStatus& status, const Interrupted& interrupted);
   Result<void> sendMove(std::int64_t target, const Interrupted& interrupted);
   Result<std::int64_t> awaitArrival(std::int64_t target, double timeout_s,
@@ -47,7 +54,10 @@ class GrblDriver final : public TableDriver {
   GrblLink link_;
   GrblBoardInfo board_;
   TurntableAxis axis_;
-  std::int64_t stands_at_ = 0;  // at the last confirmed standstill
+  std::int64_t stands_at_ = 0;         // at the last confirmed standstill
+  bool locked_ = false;                // by the last status, or as release() will have left it
+  bool slept_ = false;                 // release() put the board to sleep
+  std::optional<int> alarms_at_word_;  // when a person last allowed that it is unlocked
 };
 
 }  // namespace gyre

@@ -43,6 +43,7 @@ void GrblLink::note(GrblMessage& message) {
     trouble_ = Error{Error::Code::kAlarm, "The turntable's board has restarted.",
                      "Check its power and its cable."};
   } else if (message.kind == Kind::kAlarm) {
+    ++alarms_;
     trouble_ = Error{Error::Code::kAlarm,
                      "The turntable has stopped by itself (" + grblAlarmText(message.number) + ").",
                      "Remove the cause, then set the angle anew."};

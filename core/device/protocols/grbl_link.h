@@ -44,6 +44,8 @@ class GrblLink {
   // but send(), receive() and drain() fails with it.
   const std::optional<Error>& trouble() const { return trouble_; }
   void forgiveTrouble() { trouble_.reset(); }
+  // How often the board has raised an alarm since the port was opened.
+  int alarms() const { return alarms_; }
 
   // Reports in inches ($13=1) are scaled to the unit of the settings.
   void setReportScale(double scale) { report_scale_ = scale; }
@@ -60,6 +62,7 @@ class GrblLink {
   std::unique_ptr<BytePort> port_;
   GrblParser parser_;
   std::optional<Error> trouble_;
+  int alarms_ = 0;
   std::vector<double> work_offset_;
   double report_scale_ = 1.0;
   std::string garbage_;

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/ask_person.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
 #include <chrono>
+#include <cstdlib>
+#include <cstring>
 #include <sstream>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/support/watched_target.h"
 
 namespace gyre {
 namespace {
@@ -64,6 +69,59 @@ TEST_F(AskPersonTest, EndOfTheInputIsNobody) {
   ASSERT_FALSE(asked);
   EXPECT_EQ(asked.error().code, Error::Code::kGone);
   EXPECT_THAT(asked.error().advice, HasSubstr("gyre resume"));
+}
+
+// A table that does as it is told, behind a lock.
+class LockedTableTest : public AskPersonTest {
+ protected:
+  LockedTableTest() { table_.lock = "The board is locked: homing is on."; }
+
+  test::OddTable table_{[](double told_rad) { return told_rad; }};
+};
+
+TEST_F(LockedTableTest, IsUnlockedByTheWordAndNobodyIsAsked) {
+  EXPECT_TRUE(allowUnlock(table_, UnlockWord::kGiven, console_, Task(), keys_[0]));
+  EXPECT_TRUE(table_.may_unlock);
+  EXPECT_EQ(err_.str(), "");
+}
+
+TEST_F(LockedTableTest, StaysLockedWhereNobodySitsAtATerminal) {
+  press("y\n");
+  const auto allowed = allowUnlock(table_, UnlockWord::kAsk, console_, Task(), keys_[0]);
+  ASSERT_FALSE(allowed);
+  EXPECT_EQ(allowed.error().code, Error::Code::kNoPermission);
+  EXPECT_EQ(allowed.error().what, table_.lock);
+  EXPECT_FALSE(table_.may_unlock);
+}
+
+TEST_F(LockedTableTest, IsUnlockedByAYesAtTheTerminalOnly) {
+  const int person = posix_openpt(O_RDWR | O_NOCTTY);
+  if (person < 0 || grantpt(person) != 0 || unlockpt(person) != 0) {
+    GTEST_SKIP() << "This machine has no pseudo terminals.";
+  }
+  const int terminal = open(ptsname(person), O_RDWR | O_NOCTTY);
+  ASSERT_GE(terminal, 0);
+  for (const char* answer : {"\n", "n\n", "maybe\n"}) {
+    ASSERT_GT(write(person, answer, strlen(answer)), 0);
+    const auto allowed = allowUnlock(table_, UnlockWord::kAsk, console_, Task(), terminal);
+    ASSERT_FALSE(allowed);
+    EXPECT_EQ(allowed.error().code, Error::Code::kNoPermission);
+    EXPECT_FALSE(table_.may_unlock);
+  }
+  EXPECT_THAT(err_.str(), HasSubstr("homing is on"));
+  EXPECT_THAT(err_.str(), HasSubstr("May it be unlocked"));
+  ASSERT_GT(write(person, "y\n", 2), 0);
+  EXPECT_TRUE(allowUnlock(table_, UnlockWord::kAsk, console_, Task(), terminal));
+  EXPECT_TRUE(table_.may_unlock);
+  close(terminal);
+  close(person);
+}
+
+TEST_F(LockedTableTest, TableWithoutALockIsLeftAlone) {
+  table_.lock.clear();
+  EXPECT_TRUE(allowUnlock(table_, UnlockWord::kAsk, console_, Task(), keys_[0]));
+  EXPECT_TRUE(allowUnlock(table_, UnlockWord::kGiven, console_, Task(), keys_[0]));
+  EXPECT_FALSE(table_.may_unlock);
 }
 
 }  // namespace

@@ -156,6 +156,12 @@ TEST_F(PortDoctorTest, TurntableIsToldWithWhatHindersIt) {
   found = diagnoseSearch(port_, search, info, view_);
   EXPECT_EQ(found.state, PortState::kHindered);
   EXPECT_THAT(found.hindrances, ElementsAre("Soft limits are on."));
+  info.lock = "It is locked. Allow that it is unlocked.";
+  found = diagnoseSearch(port_, search, info, view_);
+  EXPECT_EQ(found.state, PortState::kLocked);
+  EXPECT_EQ(portStateWord(found.state), "locked");
+  EXPECT_EQ(found.advice, info.lock);
+  EXPECT_THAT(found.hindrances, ElementsAre("Soft limits are on."));
 }
 
 TEST_F(PortDoctorTest, MotorThatStandsIsAStateOfItsOwn) {

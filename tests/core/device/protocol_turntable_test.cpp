@@ -118,6 +118,29 @@ TEST_F(ProtocolTurntableTest, BackwardMovesPassTheirTargetAndReturn) {
   EXPECT_NE(sent.find("G1X22.4997", past), std::string::npos) << sent;
 }
 
+TEST_F(ProtocolTurntableTest, LongerApproachTakesUpPlayThatIsKnown) {
+  const auto loose = std::make_shared<Shaft>(30);  // 3.4 degrees: more than the usual 2
+  TurntableFirmware firmware({}, loose, SimClock(20.0));
+  auto table = ProtocolTurntable::open(firmware.openPort(), {}, Task());
+  ASSERT_TRUE(table) << table.error().sentence();
+  ASSERT_TRUE((*table)->moveTo(radFromDeg(45.0), Task()));
+  ASSERT_TRUE((*table)->moveTo(radFromDeg(22.5), Task()));
+  EXPECT_EQ(loose->steps(), 200);
+  EXPECT_EQ(loose->tableSteps(), 212);  // not followed: 18 of 30 steps were taken up
+  (*table)->setApproach(radFromDeg(4.0));
+  EXPECT_NEAR((*table)->approachRad(), radFromDeg(4.0), 1e-12);
+  ASSERT_TRUE((*table)->correct(-1.0));  // what is known of play stays
+  EXPECT_NEAR((*table)->approachRad(), radFromDeg(4.0), 1e-12);
+  ASSERT_TRUE((*table)->correct(-1.0));
+  ASSERT_TRUE((*table)->moveTo(radFromDeg(45.0), Task()));
+  ASSERT_TRUE((*table)->moveTo(radFromDeg(22.5), Task()));
+  EXPECT_EQ(loose->tableSteps(), loose->steps());
+  (*table)->setApproach(-1.0);
+  EXPECT_EQ((*table)->approachRad(), 0.0);
+  (*table)->setApproach(10.0);
+  EXPECT_NEAR((*table)->approachRad(), radFromDeg(45.0), 1e-12);
+}
+
 TEST_F(ProtocolTurntableTest, DirectionTurnsTheOtherWay) {
   TurntableOptions options;
   options.direction = -1;
@@ -241,6 +264,9 @@ TEST_F(ProtocolTurntableTest, LimitSwitchIsAnAlarm) {
   EXPECT_EQ(moved.error().code, Code::kAlarm);
   EXPECT_THAT(moved.error().what, HasSubstr("limit switch"));
   ASSERT_TRUE(table->setAngle(0.0));
+  EXPECT_EQ(table->moveTo(radFromDeg(10.0), Task()).error().code, Code::kNoPermission);
+  EXPECT_THAT(table->info().lock, HasSubstr("has stopped by itself"));
+  table->allowUnlock();
   EXPECT_TRUE(table->moveTo(radFromDeg(10.0), Task()));
 }
 
@@ -250,13 +276,6 @@ TEST_F(ProtocolTurntableTest, HindrancesAreToldInWords) {
   EXPECT_THAT(table->info().hindrances, ElementsAre(HasSubstr("$1=255"), HasSubstr("$20=0"),
                                                     HasSubstr("$22=0"), HasSubstr("10 deg/s")));
   EXPECT_EQ(table->info().steps_per_turn, 3204.0);
-}
-
-TEST_F(ProtocolTurntableTest, BoardLockedAtItsStartIsUnlockedByTheFirstMove) {
-  configure("$22=1\n");
-  const auto table = open();
-  ASSERT_TRUE(table->moveTo(radFromDeg(9.0), Task()));
-  EXPECT_EQ(shaft_->steps(), 80);
 }
 
 TEST_F(ProtocolTurntableTest, ReportsInWorkPositionsAndInchesAreUnderstood) {
@@ -273,6 +292,9 @@ TEST_F(ProtocolTurntableTest, ReleaseLetsGoAndTheAngleMustBeSetAnew) {
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, Code::kAlarm);
   ASSERT_TRUE(table->setAngle(0.0));
+  EXPECT_EQ(table->moveTo(radFromDeg(9.0), Task()).error().code, Code::kNoPermission);
+  EXPECT_THAT(table->info().lock, HasSubstr("its motor was let go of"));
+  table->allowUnlock();
   ASSERT_TRUE(table->moveTo(radFromDeg(9.0), Task()));
   EXPECT_EQ(shaft_->steps(), 80);
 }

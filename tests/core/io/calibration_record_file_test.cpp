@@ -32,7 +32,7 @@ CalibrationRecord fullRecord() {
   record.table_from_target =
       Rigid3{Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix(), {0.1, 0.2, 0.3}};
   record.points_in_target = {{1.0 / 3.0, 2.0, 3.0}, {-4.0, 0.1 + 0.2, 0.0}};
-  record.turntable = CalibratedTurntable{"usb-Arduino_1", "X", 360.0 / 7.0, -1};
+  record.turntable = CalibratedTurntable{"usb-Arduino_1", "X", 360.0 / 7.0, -1, 0.1 / 3.0, 0.35};
   record.camera = CalibratedCamera{"/dev/v4l/by-id/cam", "1920x1080@MJPG", {{"focus", 0.1 + 0.2}}};
   record.covariance = NamedCovariance{{"focal_px", "k1"}, Eigen::MatrixXd::Random(2, 2) / 3.0};
   CalibrationReport report;

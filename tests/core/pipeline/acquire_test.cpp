@@ -68,6 +68,29 @@ class Acquire : public testing::Test {
   std::function<void()> on_view_;
 };
 
+TEST_F(Acquire, UsesWhatWasMeasuredOfThisTurntable) {
+  CalibrationRecord record = trueCalibration(renderer()->rig());
+  const TurntableInfo info = turntable_->info();
+  record.turntable = CalibratedTurntable{info.device_id, info.axis,       info.units_per_turn,
+                                         info.direction, radFromDeg(5.0), 0.3};
+  ScanSettings settings;
+  settings.views = kViews;
+  const double usual_rad = turntable_->approachRad();
+  double waited_s = 0.0;
+  for (const char* device : {"another table", info.device_id.c_str()}) {
+    record.turntable->device_id = device;
+    store_.emplace(ScanStore::create(temp_ / device, settings, record).value());
+    seen_.clear();
+    EXPECT_EQ(turntable_->approachRad(), usual_rad);
+    const double begin_s = steadySeconds();
+    const auto done = run();
+    ASSERT_TRUE(done) << done.error().sentence();
+    waited_s = steadySeconds() - begin_s;
+  }
+  EXPECT_GT(turntable_->approachRad(), radFromDeg(5.0));
+  EXPECT_GE(waited_s, 0.3 * kViews);
+}
+
 TEST_F(Acquire, CapturesAWholeTurnEvenlyAndOnlyAtRest) {
   const auto done = run();
   ASSERT_TRUE(done) << done.error().sentence();

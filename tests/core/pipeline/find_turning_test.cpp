@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/find_turning.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -80,6 +81,62 @@ TEST(FindTurning, TellsPlayInTheGears) {
   EXPECT_EQ(found->turned_over_told, 1.0);
   EXPECT_NEAR(found->play_rad, play_rad, radFromDeg(0.3));  // the lens: a few percent of the way
   EXPECT_THAT(found->remarks, testing::Contains(HasSubstr("play")));
+}
+
+// The table hangs behind by up to the play when it is turned back; told and play in radians of the
+// motor's word.
+std::function<double(double)> withPlay(double ratio, double play_told_rad) {
+  auto followed_rad = std::make_shared<double>(0.0);
+  return [=](double told_rad) {
+    *followed_rad = std::clamp(*followed_rad, told_rad, told_rad + play_told_rad);
+    return ratio * *followed_rad;
+  };
+}
+
+struct Play {
+  double ratio = 1.0;
+  double table_deg = 0.0;  // of the table
+};
+
+class FindTurningBacklash : public testing::TestWithParam<Play> {};
+
+TEST_P(FindTurningBacklash, IsMeasuredByGoingBack) {
+  const double play_rad = radFromDeg(GetParam().table_deg);
+  OddTable table(withPlay(GetParam().ratio, play_rad / std::abs(GetParam().ratio)));
+  World world;
+  const auto found = findOn(table, world);
+  ASSERT_TRUE(found) << found.error().sentence();
+  EXPECT_NEAR(found->turned_over_told / GetParam().ratio, 1.0, kRoughLens);
+  // The lens makes a few percent of it; the rest is noise, and told.
+  EXPECT_NEAR(found->backlash_rad, play_rad,
+              kRoughLens * play_rad + 4.0 * found->backlash_sigma_rad);
+  EXPECT_GT(found->backlash_sigma_rad, 0.0);
+  EXPECT_LT(found->backlash_sigma_rad, radFromDeg(0.05));
+  EXPECT_LE(world.largest_move_rad, kMostMove_rad);
+  EXPECT_THAT(found->remarks, testing::Contains(HasSubstr("reached from the same side")));
+}
+INSTANTIATE_TEST_SUITE_P(OfAllSizes, FindTurningBacklash,
+                         testing::Values(Play{1.0, 0.2}, Play{1.0, 1.0}, Play{1.0, 4.0},
+                                         Play{-1.0, 0.5}, Play{-28.0, 2.0}, Play{0.1, 3.0}));
+
+TEST(FindTurning, TellsNoBacklashOfNoise) {
+  for (const double play_deg : {0.0, 0.02}) {
+    OddTable table(withPlay(1.0, radFromDeg(play_deg)));
+    World world;
+    const auto found = findOn(table, world);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->backlash_rad, 0.0);
+    EXPECT_TRUE(found->remarks.empty());
+  }
+}
+
+TEST(FindTurning, SaysThatThereIsMorePlayThanItCanMeasure) {
+  OddTable table(withPlay(1.0, radFromDeg(7.5)));
+  World world;
+  const auto found = findOn(table, world);
+  ASSERT_TRUE(found) << found.error().sentence();
+  EXPECT_EQ(found->backlash_rad, 0.0);
+  EXPECT_THAT(found->remarks, testing::Contains(HasSubstr("Tighten")));
 }
 
 TEST(FindTurning, RefusesATargetThatSlips) {

@@ -89,6 +89,31 @@ TEST(Settling, FallsBackToAFixedDelayWhereNothingEverComesToRest) {
   EXPECT_EQ(camera.pictures_, watched + 1);
 }
 
+TEST(Settling, WaitsAsLongAsIsKnownBeforeItLooks) {
+  SwingingCamera camera(0.3);
+  Settling settling(0.4);
+  const auto frame = settling.grabStill(camera, 0.0, {});
+  ASSERT_TRUE(frame);
+  EXPECT_GE((*frame)->time_s, 0.4);
+  EXPECT_EQ(camera.pictures_, 2U);  // nothing moved any more
+  EXPECT_EQ(settling.delaySeconds(), 0.4);
+}
+
+TEST(Settling, LearnsThatItTakesLongerThanWasKnown) {
+  SwingingCamera camera(0.9);
+  Settling settling(0.4);
+  const auto frame = settling.grabStill(camera, 0.0, {});
+  ASSERT_TRUE(frame);
+  EXPECT_GE((*frame)->time_s, 0.9);
+  EXPECT_GE(settling.delaySeconds(), 0.9);
+  EXPECT_LT(settling.delaySeconds(), 1.5);
+}
+
+TEST(Settling, TakesNoLongerThanTablesSwingWhateverIsSaidToBeKnown) {
+  EXPECT_EQ(Settling(1e9).delaySeconds(), 2.5);
+  EXPECT_EQ(Settling(-1.0).delaySeconds(), 0.0);
+}
+
 TEST(Settling, HandsOnThatItWasStopped) {
   SwingingCamera camera(1e9);
   std::stop_source source;

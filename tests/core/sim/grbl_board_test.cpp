@@ -254,5 +254,17 @@ TEST_F(GrblBoardTest, SplitLinesAndRealtimeCharactersWithinThemAreUnderstood) {
   EXPECT_EQ(shaft_->steps(), 800);
 }
 
+TEST(GrblBoardWithPlay, TurnsBackWhereItShallHoweverLongNobodyLooks) {
+  const auto loose = std::make_shared<Shaft>(30);
+  GrblBoard board(TurntableFirmwareOptions{}, loose);
+  board.reset(0.0);
+  board.advanceTo(1.0);
+  const std::string back_and_forth = "G90G1X-20.25F3600\nG1X-18F3600\n";  // 180 and 160 steps
+  board.receive(std::as_bytes(std::span(back_and_forth)), 1.0);
+  board.advanceTo(60.0);
+  EXPECT_EQ(loose->steps(), -160);
+  EXPECT_EQ(loose->tableSteps(), -150);
+}
+
 }  // namespace
 }  // namespace gyre
