@@ -1,5 +1,5 @@
-// Step 4: the bare table is looked at once, then the object is put on it and looked at from all
-// sides. SPDX-License-Identifier: GPL-3.0-or-later
+// Step 4: the bare table is looked at once, then the object on it from all sides.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>
