@@ -65,6 +65,7 @@ class Placing {
 
   std::vector<ScanPass> take() {
     std::vector<ScanPass> all;
+    all.reserve(placed_.size());
     for (auto& pass : placed_) all.push_back(std::move(*pass));
     return all;
   }
@@ -102,6 +103,7 @@ class Placing {
 
   Result<void> fit(std::size_t moving, const Laid& laid, const Task& task) {
     std::vector<PlacePair> pairs;
+    pairs.reserve(laid.agreement.pairs.size());
     for (const SpotPair& pair : laid.agreement.pairs) pairs.push_back({pair.fixed, pair.moving});
     const PassInput& on = passes_[laid.on];
     const PassInput& pass = passes_[moving];
@@ -119,6 +121,7 @@ class Placing {
       return notPlaced(pass, "a part of it lies where others saw through");
     }
     std::vector<double> distances_mm;
+    distances_mm.reserve(pairs.size());
     for (const PlacePair& pair : pairs) {
       distances_mm.push_back((fitted->fixed_from_moving * pair.moving - pair.fixed).norm());
     }
