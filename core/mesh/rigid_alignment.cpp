@@ -5,9 +5,9 @@
 #include <vector>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 
 #include "core/base/parallel.h"
+#include "core/mesh/small_motion.h"
 #include "core/mesh/surface_index.h"
 #include "core/mesh/surface_samples.h"
 
@@ -46,7 +46,7 @@ std::vector<Pair> pairUp(const std::vector<SurfaceSample>& samples, const Rigid3
 // The small motion (rotation vector about `centre` in units of `size`, then shift) that minimises
 //   sum |M (x + w x (x - c) + t - y)|^2,  M = n n^T on triangles and the identity at bare points.
 struct Step {
-  Eigen::Matrix<double, 6, 1> motion = Eigen::Matrix<double, 6, 1>::Zero();
+  SmallMotion motion = SmallMotion::Zero();
   bool determined = false;
 };
 Step solveStep(const std::vector<Pair>& pairs, const Eigen::Vector3d& centre, double size) {
@@ -55,10 +55,7 @@ Step solveStep(const std::vector<Pair>& pairs, const Eigen::Vector3d& centre, do
   Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
   for (const Pair& pair : pairs) {
     const Eigen::Vector3d arm = (pair.moved - centre) / size;
-    Eigen::Matrix<double, 3, 6> jacobian;
-    jacobian << 0, arm.z(), -arm.y(), 1, 0, 0,  //
-        -arm.z(), 0, arm.x(), 0, 1, 0,          //
-        arm.y(), -arm.x(), 0, 0, 0, 1;
+    const Eigen::Matrix<double, 3, 6> jacobian = smallMotionJacobian(arm);
     Eigen::Matrix3d measured = Eigen::Matrix3d::Identity();
     if (!pair.normal.isZero()) measured = pair.normal * pair.normal.transpose();
     normal_matrix += jacobian.transpose() * measured * jacobian;
@@ -102,12 +99,7 @@ Result<Rigid3> alignRigidly(const Mesh& result, const Mesh& reference, const Tas
       return Error{Error::Code::kTooFew, "The two shapes do not say how to align them.",
                    "Compare them without alignment."};
     }
-    const Eigen::Vector3d rotation_vector = step.motion.head<3>() / size_mm;
-    Rigid3 turn;
-    turn.rotation = Eigen::AngleAxisd(rotation_vector.norm(), rotation_vector.stableNormalized())
-                        .toRotationMatrix();
-    turn.translation = centre - turn.rotation * centre + step.motion.tail<3>();
-    motion = turn * motion;
+    motion = rigidOf(step.motion, centre, size_mm) * motion;
     if (step.motion.norm() < kConverged * size_mm) break;
   }
   return motion;

@@ -8,11 +8,11 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 
 #include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
+#include "core/mesh/small_motion.h"
 #include "core/mesh/surface_index.h"
 
 namespace gyre {
@@ -30,7 +30,6 @@ constexpr double kConverged = 1e-7;   // of the size
 constexpr std::size_t kLeastTies = 200;
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
-using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 // What a place of the moving surface should become, along one direction; or in all, normal zero.
 struct Tie {
@@ -51,7 +50,7 @@ std::vector<Point> sampled(const PointCloud& cloud) {
   return samples;
 }
 
-// The normal of the seen triangle that a point lies on, and the place there.
+// Where a point lies on the surface; nothing where that was not seen or faces another way.
 std::optional<SurfaceHit> seenPlace(const SurfaceIndex& index, const Mesh& mesh,
                                     const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
                                     double reach_mm) {
@@ -103,7 +102,7 @@ double scaleOf(const std::vector<Tie>& ties) {
   return distances.empty() ? 0.0 : kGaussian * median(std::move(distances));
 }
 
-// The normal equations of a small motion: rotation vector about `centre` in units of `size`, shift.
+// The normal equations of a small motion about `centre`.
 class Equations {
  public:
   Equations(const Eigen::Vector3d& centre, double size_mm) : centre_(centre), size_mm_(size_mm) {}
@@ -115,15 +114,12 @@ class Equations {
       const double far = tie.distance() / (kCauchy * scale_mm);
       const double weight = 1.0 / ((1.0 + far * far) * scale_mm * scale_mm);
       const Eigen::Vector3d arm = (tie.moved - centre_) / size_mm_;
-      Eigen::Matrix<double, 3, 6> jacobian;
-      jacobian << 0, arm.z(), -arm.y(), 1, 0, 0,  //
-          -arm.z(), 0, arm.x(), 0, 1, 0,          //
-          arm.y(), -arm.x(), 0, 0, 0, 1;
+      const Eigen::Matrix<double, 3, 6> jacobian = smallMotionJacobian(arm);
       if (tie.normal.isZero()) {
         matrix_ += weight * jacobian.transpose() * jacobian;
         right_ += weight * jacobian.transpose() * (tie.target - tie.moved);
       } else {
-        const Vector6 row = jacobian.transpose() * tie.normal;
+        const SmallMotion row = jacobian.transpose() * tie.normal;
         matrix_ += weight * row * row.transpose();
         right_ += weight * tie.normal.dot(tie.target - tie.moved) * row;
       }
@@ -134,20 +130,15 @@ class Equations {
   std::optional<std::pair<Rigid3, double>> solve() const {
     const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(matrix_);
     if (!(eigen.eigenvalues()[0] > 1e-9 * eigen.eigenvalues()[5])) return std::nullopt;
-    const Vector6 motion = matrix_.ldlt().solve(right_);
-    const Eigen::Vector3d rotation_vector = motion.head<3>() / size_mm_;
-    Rigid3 step;
-    step.rotation = Eigen::AngleAxisd(rotation_vector.norm(), rotation_vector.stableNormalized())
-                        .toRotationMatrix();
-    step.translation = centre_ - step.rotation * centre_ + motion.tail<3>();
-    return std::pair{step, motion.norm()};
+    const SmallMotion motion = matrix_.ldlt().solve(right_);
+    return std::pair{rigidOf(motion, centre_, size_mm_), motion.norm()};
   }
 
  private:
   Eigen::Vector3d centre_;
   double size_mm_;
   Matrix6 matrix_ = Matrix6::Zero();
-  Vector6 right_ = Vector6::Zero();
+  SmallMotion right_ = SmallMotion::Zero();
 };
 
 // Two surfaces and the search for the motion between them.

@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 Result<PosedPictures> readPosed(const fs::path& folder) {
   for (const char* name : {"points.ply", "calibration.json", "angles_solved.csv"}) {
-    if (isThere(folder / name)) continue;
-    if (name != std::string("points.ply") && hasResultViews(folder)) continue;
+    const bool merged = name == std::string("angles_solved.csv") && hasResultViews(folder);
+    if (merged || isThere(folder / name)) continue;
     return Error{Error::Code::kNotFound,
                  "There is no " + std::string(name) + " in \"" + folder.string() + "\".",
                  "Name the folder of a finished scan or reconstruction; `gyre resume` finishes a "

@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/result.h"
-
 namespace gyre {
 
 // Where the pictures of the result in a folder lie: in its own frames/, or where report.json says

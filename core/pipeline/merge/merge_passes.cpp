@@ -103,9 +103,7 @@ Report reportOf(Report report, const std::vector<PassInput>& inputs,
   if (report.inventory_number.empty()) report.inventory_number = first.inventory_number;
   if (report.rights.empty()) report.rights = first.rights;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const Report& pass = inputs[i].report;
-    report.points += pass.points;
-    report.observations += pass.observations;
+    report.observations += inputs[i].report.observations;
     std::string text = passes[i].folder.string();
     if (const auto& fit = passes[i].fit) {
       text += formatted(": %zu spots agree, %.0f %% overlaps, %.3f mm apart there (median)",
@@ -153,7 +151,7 @@ Result<void> addMesh(MergedPasses& merged, const Together& all, const fs::path& 
   merged.mesh = std::move(made->mesh);
   const auto coloured =
       colourFromPictures(merged.mesh, folder, PictureFinder(folder), task.part(0.8, 1.0));
-  if (!coloured && coloured.error().code == Error::Code::kCancelled) return coloured.error();
+  if (!coloured) return coloured.error();
   if (auto done = writePly(folder / "mesh.ply", merged.mesh); !done) return done;
   return writeObj(folder / "mesh.obj", merged.mesh);
 }

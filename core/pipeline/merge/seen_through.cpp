@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t kOutlinesAsked = 36;
 constexpr std::size_t kMostPoints = 4000;
-constexpr int kMargin_px = 2;      // of the outlines' own pixels: they err by a few
-constexpr int kManyAmongFour = 1;  // a quarter of the pictures that show the place
+constexpr int kMargin_px = 2;   // of the outlines' own pixels: they err by a few
+constexpr double kMany = 0.25;  // of the pictures that show the place
 
 struct WideOutline {
   PosedCamera camera;
@@ -50,7 +50,7 @@ bool isSeenThrough(const Eigen::Vector3d& place, const std::vector<WideOutline>&
     ++shown;
     if (outline.mask.at<std::uint8_t>(y, x) == 0) ++outside;
   }
-  return 4 * outside > kManyAmongFour * shown;
+  return outside > kMany * shown;
 }
 
 }  // namespace
