@@ -25,7 +25,20 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   layout->setContentsMargins(0, 0, 0, 0);
   QVBoxLayout* card = nullptr;
   layout->addWidget(makeCard(card));
-  card->addWidget(makeLabel(tr("Views around the object"), "heading"));
+  addViewChoice(*card);
+  addFolderChoice(*card);
+  start_ = makePrimaryButton(tr("Start the scan"), tr("The table will turn"));
+  resume_ = makeButton(tr("Go on with this scan"), tr("Capture the views that are missing"));
+  resume_->hide();
+  card->addWidget(start_);
+  card->addWidget(resume_);
+  layout->addStretch(1);
+  connect(start_, &QPushButton::clicked, this, &ScanPanel::startRequested);
+  connect(resume_, &QPushButton::clicked, this, &ScanPanel::resumeRequested);
+}
+
+void ScanPanel::addViewChoice(QVBoxLayout& card) {
+  card.addWidget(makeLabel(tr("Views around the object"), "heading"));
   kind_ = new QButtonGroup(this);
   auto* quick = new QRadioButton(tr("Quick: 72 views, 5° apart"));
   auto* full = new QRadioButton(tr("Full: 200 views, 1.8° apart"));
@@ -43,11 +56,19 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
       tr("Views over one full turn: more views follow finer relief and take longer"));
   for (QWidget* widget : {static_cast<QWidget*>(quick), static_cast<QWidget*>(full),
                           static_cast<QWidget*>(own), static_cast<QWidget*>(views_)}) {
-    card->addWidget(widget);
+    card.addWidget(widget);
   }
   estimate_ = makeLabel(QString(), "muted");
-  card->addWidget(estimate_);
-  card->addWidget(makeLabel(tr("Keep in"), "heading"));
+  card.addWidget(estimate_);
+  connect(kind_, &QButtonGroup::idClicked, this, [this](int views) {
+    views_->setEnabled(views == 0);
+    if (views > 0) views_->setValue(views);
+  });
+  connect(views_, &QSpinBox::valueChanged, this, &ScanPanel::showEstimate);
+}
+
+void ScanPanel::addFolderChoice(QVBoxLayout& card) {
+  card.addWidget(makeLabel(tr("Keep in"), "heading"));
   auto* row = new QHBoxLayout;
   folder_ = new QLineEdit;
   folder_->setAccessibleName(tr("Folder of the scan"));
@@ -56,31 +77,18 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   browse->setAccessibleName(tr("Choose another place"));
   row->addWidget(folder_, 1);
   row->addWidget(browse);
-  card->addLayout(row);
+  card.addLayout(row);
   no_room_ =
       makeLabel(tr("⚠ The disk may be too full. Free some space, choose another folder, or "
                    "take fewer views."));
   no_room_->hide();
-  card->addWidget(no_room_);
-  start_ = makePrimaryButton(tr("Start the scan"), tr("The table will turn"));
-  resume_ = makeButton(tr("Go on with this scan"), tr("Capture the views that are missing"));
-  resume_->hide();
-  card->addWidget(start_);
-  card->addWidget(resume_);
-  layout->addStretch(1);
-  connect(kind_, &QButtonGroup::idClicked, this, [this](int views) {
-    views_->setEnabled(views == 0);
-    if (views > 0) views_->setValue(views);
-  });
-  connect(views_, &QSpinBox::valueChanged, this, &ScanPanel::showEstimate);
+  card.addWidget(no_room_);
   connect(folder_, &QLineEdit::textChanged, this, [this] { Q_EMIT folderChanged(folder()); });
   connect(browse, &QPushButton::clicked, this, [this] {
     const QString path = QFileDialog::getSaveFileName(
         this, tr("A folder for the scan"), folder(), QString(), nullptr, QFileDialog::ShowDirsOnly);
     if (!path.isEmpty()) setFolder(path);
   });
-  connect(start_, &QPushButton::clicked, this, &ScanPanel::startRequested);
-  connect(resume_, &QPushButton::clicked, this, &ScanPanel::resumeRequested);
 }
 
 int ScanPanel::views() const { return views_->value(); }

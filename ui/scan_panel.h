@@ -13,6 +13,7 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSpinBox;
+class QVBoxLayout;
 
 namespace gyre {
 
@@ -37,6 +38,8 @@ class ScanPanel final : public QWidget {
   void folderChanged(const QString& folder);  // its disk is another one, maybe
 
  private:
+  void addViewChoice(QVBoxLayout& card);
+  void addFolderChoice(QVBoxLayout& card);
   void showEstimate();
 
   QButtonGroup* kind_;
