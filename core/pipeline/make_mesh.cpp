@@ -5,6 +5,7 @@
 
 #include "core/mesh/adaptive_alpha.h"
 #include "core/mesh/alpha_shape.h"
+#include "core/mesh/clean/curve_underside.h"
 #include "core/mesh/clean/poisson.h"
 #include "core/mesh/clean/wrap.h"
 #include "core/mesh/vertex_colours.h"
@@ -27,6 +28,16 @@ Result<MadeMesh> byAlphaShape(const PointCloud& cloud, const AlphaShapeOptions& 
   auto shape = alphaShapeMesh(cloud, options, task);
   if (!shape) return shape.error();
   return MadeMesh{std::move(shape->mesh), MeshMethod::kAlpha, shape->alpha_mm};
+}
+
+// The cut; a part of the underside that it could only guess is bent as the surface around it.
+Result<MadeMesh> byCut(const PointCloud& cloud, const SightEvidence& sights,
+                       const VisibilityCutOptions& options, const Task& task) {
+  auto cut = visibilityCut(cloud, sights, options, task.part(0.0, 0.95));
+  if (!cut) return cut.error();
+  auto shaped = curveUnderside(cut->mesh, task.part(0.95, 1.0));
+  if (!shaped && shaped.error().code == Error::Code::kCancelled) return shaped.error();
+  return MadeMesh{std::move(shaped ? shaped->mesh : cut->mesh), MeshMethod::kClosed, 0.0};
 }
 
 Result<MadeMesh> byOutlines(const PointCloud& cloud, const SightEvidence& sights,
@@ -57,9 +68,7 @@ Result<MadeMesh> makeMesh(const PointCloud& cloud, const std::optional<SightEvid
       return byAlphaShape(cloud, request.alpha, task);
     case MeshMethod::kClosed: {
       if (!sights) return needsSights(request.method);
-      auto cut = visibilityCut(cloud, *sights, request.cut, task);
-      if (!cut) return cut.error();
-      return MadeMesh{std::move(cut->mesh), MeshMethod::kClosed, 0.0};
+      return byCut(cloud, *sights, request.cut, task);
     }
     case MeshMethod::kAdaptive: {
       auto shape = adaptiveAlphaMesh(cloud, sights.value_or(SightEvidence()), request.alpha, task);
