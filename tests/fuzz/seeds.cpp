@@ -4,13 +4,16 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/units.h"
 #include "core/io/angles_file.h"
 #include "core/io/atomic_file.h"
 #include "core/io/calibration_file.h"
 #include "core/io/calibration_record_file.h"
+#include "core/io/measurements_file.h"
 #include "core/io/obj.h"
+#include "core/io/passes_file.h"
 #include "core/io/ply.h"
 #include "core/io/result_folder.h"
 #include "core/io/stl.h"
@@ -83,6 +86,35 @@ CalibrationRecord sampleRecord() {
   return record;
 }
 
+std::vector<Measurement> sampleMeasurements() {
+  Measurement known;
+  known.to_in_table = {3.0, -4.0, 12.0};
+  known.length_mm = 13.0;
+  known.points_sigma_mm = 0.01;
+  known.scale_sigma_mm = 1.0 / 3.0;
+  known.size = SizeTrust::kVerified;
+  known.caliper_mm = 13.05;
+  known.note = "lid \"to\" base, 2 \\ 3";
+  known.date = "2026-01-01T12:00:00Z";
+  Measurement unknown;
+  unknown.from_in_table = {1.0, 0.0, 0.0};
+  unknown.length_mm = 1.0;
+  return {known, unknown};
+}
+
+std::vector<ScanPass> samplePasses() {
+  ScanPass first;
+  first.name = "pass-1";
+  first.folder = "up";
+  first.views = 72;
+  ScanPass second = first;
+  second.name = "pass-2";
+  second.folder = "../over";
+  second.merged_from_pass.translation = {1.0, 2.0, -1.0 / 3.0};
+  second.fit = PassFit{40, 0.1, 0.6, 0.013};
+  return {first, second};
+}
+
 // Nobody but people writes these.
 constexpr const char* kTurntable = R"({"format": "gyre-turntable", "version": 1, "name": "Mine",
   "baud": 9600, "line_end": "\r\n", "answer_ends": ";", "greeting": "hello",
@@ -103,11 +135,14 @@ Result<void> writeOthers(const fs::path& folder) {
   if (done) done = writeAngles(folder / "angles/angles", angles);
   if (done) done = writeFileAtomically(folder / "angles/text", kTextAngles);
   if (done) done = writeFileAtomically(folder / "turntable/whole", kTurntable);
+  if (done) done = writeMeasurements(folder / "measurements/two", sampleMeasurements());
+  if (done) done = writePasses(folder / "passes/two", samplePasses());
   return done;
 }
 
 Result<void> writeSeeds(const fs::path& folder) {
-  for (const char* name : {"ply", "obj", "stl", "calibration", "angles", "turntable"}) {
+  for (const char* name :
+       {"ply", "obj", "stl", "calibration", "angles", "turntable", "measurements", "passes"}) {
     if (auto made = makeResultFolder(folder / name); !made) return made;
   }
   if (auto done = writeModels(folder); !done) return done;
