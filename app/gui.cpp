@@ -239,7 +239,7 @@ std::string wrongWord(const GuiOptions& options) {
   }
   const std::vector<std::string>& objects = objectNames();
   if (std::find(objects.begin(), objects.end(), options.object) == objects.end()) {
-    return "There is no such object. Give --object duck, mouse, cube, vase, bowl or plain.";
+    return "There is no such object. Give --object duck, mouse, cube, vase, bowl, plate or plain.";
   }
   if (options.theme != "light" && options.theme != "dark") {
     return "There is no such theme. Give --theme light or dark.";

@@ -198,7 +198,7 @@ void DevicePanel::showPorts(const std::vector<PortInfo>& ports) {
     addChoice(*turntable_, pathText(port.path, port.description), QString::fromStdString(port.path),
               QString::fromStdString(port.hindrance));
   }
-  for (const char* object : {"duck", "mouse", "cube", "vase", "bowl", "plain", "target"}) {
+  for (const char* object : {"duck", "mouse", "cube", "vase", "bowl", "plate", "plain", "target"}) {
     addChoice(*turntable_, tr("Simulated turntable: %1").arg(object), QString("sim:%1").arg(object),
               QString());
   }

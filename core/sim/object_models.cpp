@@ -158,6 +158,36 @@ Vector3f bowlPaint(const Vector3d& p) {
   return inside ? Vector3f(0.85F, 0.78F, 0.6F) : Vector3f(0.35F, 0.6F, 0.45F);
 }
 
+// A dinner plate on edge, leant back by 10° in a block: two sides, 2.6 mm apart.
+constexpr double kPlateRadius = 30.0;
+constexpr double kPlateLean = 0.17632698;  // tan 10°
+
+// The place in the plate's own frame: along its axis, and how far from it.
+Eigen::Vector2d onPlate(const Vector3d& p) {
+  const double cosine = 1.0 / std::sqrt(1.0 + kPlateLean * kPlateLean);
+  const double up = p.z() - 33.0;
+  const double along = cosine * (p.x() + kPlateLean * up);
+  const double high = cosine * (up - kPlateLean * p.x());
+  return {along, std::hypot(p.y(), high)};
+}
+
+double plate(const Vector3d& p) {
+  const Eigen::Vector2d at = onPlate(p);
+  const double t = (at.y() - 26.0) / 3.0;
+  const double rim = 0.8 * std::exp(-t * t);  // a raised ring on both sides
+  const double disc = cut(at.y() - kPlateRadius, std::abs(at.x()) - 1.3 - rim, 1.0);
+  const double sides = cut(std::abs(p.x()) - 9.0, std::abs(p.y()) - 20.0, 2.0);
+  return standing(blend(disc, cut(sides, p.z() - 7.0, 2.0), 2.0), p);
+}
+
+Vector3f platePaint(const Vector3d& p) {
+  const Eigen::Vector2d at = onPlate(p);
+  if (p.z() < 7.5) return {0.5F, 0.36F, 0.24F};
+  if (at.x() < 0.0) return {0.8F, 0.55F, 0.4F};
+  const bool ring = std::abs(at.y() - 26.0) < 2.5 || at.y() < 8.0;
+  return ring ? Vector3f(0.2F, 0.35F, 0.65F) : Vector3f(0.93F, 0.91F, 0.86F);
+}
+
 double plain(const Vector3d& p) {
   // An egg: a sphere whose width falls with height.
   const double taper = 1.0 + 0.008 * (p.z() - 24.0);
@@ -184,7 +214,8 @@ Vector3f cubePaint(const Vector3d& p) {
 }  // namespace
 
 const std::vector<std::string>& objectNames() {
-  static const std::vector<std::string> kNames = {"duck", "mouse", "cube", "vase", "bowl", "plain"};
+  static const std::vector<std::string> kNames = {"duck", "mouse", "cube", "vase",
+                                                  "bowl", "plate", "plain"};
   return kNames;
 }
 
@@ -193,6 +224,7 @@ ObjectModel objectModel(const std::string& name) {
   if (name == "mouse") return make(mouse, boxOf({-46, -28, 0}, {44, 36, 48}), mousePaint, 1.0);
   if (name == "vase") return make(vase, boxOf({-28, -28, 0}, {36, 28, 72}), vasePaint, 1.0);
   if (name == "bowl") return make(bowl, boxOf({-45, -45, 0}, {45, 45, 40}), bowlPaint, 1.0);
+  if (name == "plate") return make(plate, boxOf({-14, -33, 0}, {14, 33, 66}), platePaint, 1.0);
   if (name == "cube") return make({}, boxOf({-0.5, -0.5, 0}, {0.5, 0.5, 1}), cubePaint, 1.0);
   GYRE_CHECK(name == "plain");
   return make(

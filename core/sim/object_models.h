@@ -21,7 +21,7 @@ struct ObjectModel {
   double texture = 1.0;  // 1 = richly textured, 0 = one colour
 };
 
-// duck, mouse, cube, vase, bowl, plain.
+// duck, mouse, cube, vase, bowl, plate, plain.
 const std::vector<std::string>& objectNames();
 
 // The name must be one of objectNames().
