@@ -54,7 +54,8 @@ bool has(std::string_view text, std::string_view part) {
 
 // GRBL's report of a machine that is at work.
 bool tellsMotion(std::string_view heard) {
-  return has(heard, "<Run|") || has(heard, "<Jog|") || has(heard, "<Home|");
+  return has(heard, "<Run|") || has(heard, "<Jog|") || has(heard, "<Home|") ||
+         has(heard, "<Hold:1") || has(heard, "<Door:2") || has(heard, "<Door:3");
 }
 
 // One port at one speed.

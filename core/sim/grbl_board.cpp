@@ -12,6 +12,8 @@ constexpr std::size_t kReceiveBuffer_bytes = 128;
 constexpr std::size_t kLongestLine = 80;
 // A motor that is stopped dead runs on for about this long: why the firmware calls it lost.
 constexpr double kSlip_s = 0.01;
+constexpr double kAlarmPause_s = 0.5;  // in which the message of an alarm leaves the board
+constexpr double kHeldOn_ms = 255.0;   // $1: the motor stays on when idle
 
 constexpr int kSettingDisabled = 5;
 constexpr int kNotIdle = 8;
@@ -51,13 +53,22 @@ void GrblBoard::boot() {
   if (alarm_) say("[MSG:'$H'|'$X' to unlock]");
 }
 
-void GrblBoard::softReset() {
+// The banner comes once the motor has been let go of, which $1 delays, asleep even at 255.
+void GrblBoard::softReset(double time_s) {
+  double pause_s = 0.0;
   if (motion_.moving()) {
     alarm_ = true;
+    pause_s = kAlarmPause_s;
     say("ALARM:3");
   }
+  const double idle_ms = setting(GrblSettings::kIdleDelay);
+  if (pause_s > 0.0 || asleep_ || idle_ms != kHeldOn_ms) pause_s += 0.001 * idle_ms;
   stopDead();
-  boot();
+  if (pause_s > 0.0) {
+    boots_at_s_ = time_s + pause_s;
+  } else {
+    boot();
+  }
 }
 
 // The motor cannot stop at once: the shaft runs on, uncounted.
@@ -130,11 +141,14 @@ void GrblBoard::hear(char c, double time_s) {
   constexpr char kJogCancel = static_cast<char>(0x85);
   const bool controls_motion = c == '!' || c == '~' || c == kJogCancel;
   settle(time_s);
-  if (c == '?') {
+  if (boots_at_s_) return;
+  if (c == kSoftReset) {
+    softReset(time_s);
+  } else if (needs_reset_) {
+    return;
+  } else if (c == '?') {
     say(statusReport());
-  } else if (c == kSoftReset) {
-    softReset();
-  } else if (needs_reset_ || asleep_ || (alarm_ && controls_motion)) {
+  } else if (asleep_ || (alarm_ && controls_motion)) {
     return;
   } else if (c == '!' || c == kJogCancel) {
     if (jogging_) cancelling_jog_ = true;

@@ -39,7 +39,7 @@ class GrblBoard final : public FirmwareBoard {
   };
 
   void hear(char c, double time_s);
-  void softReset();
+  void softReset(double time_s);
   void boot();
   void work(double time_s);
   void settle(double time_s);
@@ -76,7 +76,7 @@ class GrblBoard final : public FirmwareBoard {
   bool jogging_ = false;
   bool cancelling_jog_ = false;
   bool alarm_ = false;
-  bool needs_reset_ = false;  // after a limit alarm nothing but 0x18 and ? is heard
+  bool needs_reset_ = false;  // after a limit alarm nothing but 0x18 is heard
   bool asleep_ = false;
   int reports_ = 0;
 };

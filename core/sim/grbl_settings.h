@@ -20,6 +20,7 @@ struct TurntableFirmwareOptions {
 
 class GrblSettings {
  public:
+  static constexpr int kIdleDelay = 1;
   static constexpr int kInvertDirection = 3;
   static constexpr int kReportMask = 10;
   static constexpr int kReportInches = 13;

@@ -173,7 +173,9 @@ std::optional<GrblMessage> GrblParser::next() {
 
 std::string grblMove(char axis, double target, double feed) {
   // G53: a machine position, whatever offsets somebody has set; G21 G90 G94: whatever modes.
-  return formatted("G21G90G94G53G1%c%.4fF%.1f", axis, target, feed);
+  // A table whose unit is a turn moves at well below one unit a minute.
+  return formatted(feed < 10.0 ? "G21G90G94G53G1%c%.4fF%.4f" : "G21G90G94G53G1%c%.4fF%.1f", axis,
+                   target, feed);
 }
 
 std::size_t grblAxisIndex(char axis) {

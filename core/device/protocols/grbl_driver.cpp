@@ -250,7 +250,9 @@ Result<std::int64_t> GrblDriver::awaitArrival(std::int64_t target, double timeou
 // Slows down, waits for standstill, and only then clears the queue: the position is kept.
 Result<std::optional<std::int64_t>> GrblDriver::halt() {
   link_.forgiveTrouble();
-  if (const Result<void> stands = awaitStandstill(); !stands) return stands.error();
+  if (!link_.needsReset()) {
+    if (const Result<void> stands = awaitStandstill(); !stands) return stands.error();
+  }
   return softReset();
 }
 
@@ -320,6 +322,9 @@ Result<void> GrblDriver::release() {
 Result<bool> GrblDriver::forgiveTrouble() {
   if (const Result<void> quiet = link_.drain(); !quiet) return quiet.error();
   const bool trouble = link_.trouble().has_value();
+  if (link_.needsReset()) {
+    if (const auto reset = softReset(); !reset) return reset.error();
+  }
   link_.forgiveTrouble();
   return trouble;
 }

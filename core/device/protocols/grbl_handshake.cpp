@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device/protocols/grbl_handshake.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -11,6 +12,9 @@ namespace {
 
 constexpr double kStatus_s = 0.6;
 constexpr double kQuery_s = 1.0;
+// From a reset to the banner: half a second after an alarm, and up to 255 ms to let go of the
+// motor.
+constexpr double kRestart_s = 1.5;
 constexpr double kSlice_s = 0.02;
 constexpr int kTries = 4;
 constexpr double kOldestVersion = 1.1;
@@ -42,17 +46,32 @@ Error nobody(const GrblLink& link) {
           "Choose another port, or put GRBL 1.1, grblHAL or FluidNC on the board (115200 baud)."};
 }
 
+// What must not be reset: a reset in motion loses the position, one in a pause the job.
+std::optional<Error> atWork(const GrblLink& link, const GrblStatus& status) {
+  const int part = status.substate.value_or(0);
+  const bool slows_down = status.state == GrblState::kHold && part != 0;
+  const bool moves_at_door = status.state == GrblState::kDoor && part >= 2;
+  if (slows_down || moves_at_door || status.state == GrblState::kRun ||
+      status.state == GrblState::kJog || status.state == GrblState::kHome) {
+    return Error{Error::Code::kBusy, "The board on " + link.name() + " is moving already.",
+                 "Stop what drives it, then connect again."};
+  }
+  if (status.state == GrblState::kHold) {
+    return Error{
+        Error::Code::kBusy, "The board on " + link.name() + " holds work that was paused.",
+        "Finish or cancel that work; when this is your turntable, switch its board off and "
+        "on. Then connect again."};
+  }
+  return std::nullopt;
+}
+
 // Asks until a banner is heard.
 Result<std::string> greet(GrblLink& link, double greeting_s, const Interrupted& interrupted) {
   Result<std::optional<std::string>> banner = awaitBanner(link, greeting_s, interrupted);
   if (!banner) return banner.error();
   if (*banner) return **std::move(banner);
   const Result<GrblStatus> status = link.status(kStatus_s, interrupted);
-  if (status && (status->state == GrblState::kRun || status->state == GrblState::kJog ||
-                 status->state == GrblState::kHome)) {
-    return Error{Error::Code::kBusy, "The board on " + link.name() + " is moving already.",
-                 "Stop what drives it, then connect again."};
-  }
+  if (const std::optional<Error> work = status ? atWork(link, *status) : std::nullopt) return *work;
   if (!status && status.error().code != Error::Code::kTimeout &&
       status.error().code != Error::Code::kAlarm) {
     return status.error();
@@ -60,7 +79,7 @@ Result<std::string> greet(GrblLink& link, double greeting_s, const Interrupted& 
   if (const Result<void> sent = link.send(std::string_view(&kGrblSoftReset, 1)); !sent) {
     return sent.error();
   }
-  banner = awaitBanner(link, greeting_s, interrupted);
+  banner = awaitBanner(link, std::max(greeting_s, kRestart_s), interrupted);
   if (!banner) return banner.error();
   if (*banner) return **std::move(banner);
   return nobody(link);

@@ -12,6 +12,8 @@ constexpr double kWriteTimeout_s = 1.0;
 constexpr double kQuiet_s = 0.05;
 constexpr double kLongestDrain_s = 0.5;
 constexpr std::size_t kGarbageKept = 200;
+constexpr int kHardLimit = 1;  // alarms
+constexpr int kSoftLimit = 2;
 
 }  // namespace
 
@@ -39,11 +41,13 @@ Result<std::optional<GrblMessage>> GrblLink::receive(double timeout_s) {
 void GrblLink::note(GrblMessage& message) {
   using Kind = GrblMessage::Kind;
   if (message.kind == Kind::kBanner) {
+    needs_reset_ = false;
     if (trouble_) return;  // an alarm before it says more
     trouble_ = Error{Error::Code::kAlarm, "The turntable's board has restarted.",
                      "Check its power and its cable."};
   } else if (message.kind == Kind::kAlarm) {
     ++alarms_;
+    needs_reset_ = message.number == kHardLimit || message.number == kSoftLimit;
     trouble_ = Error{Error::Code::kAlarm,
                      "The turntable has stopped by itself (" + grblAlarmText(message.number) + ").",
                      "Remove the cause, then set the angle anew."};

@@ -44,6 +44,9 @@ class GrblLink {
   // but send(), receive() and drain() fails with it.
   const std::optional<Error>& trouble() const { return trouble_; }
   void forgiveTrouble() { trouble_.reset(); }
+  // Whether the board has raised an alarm of its limits and not restarted since: then it stands and
+  // hears nothing but a reset, not even the question for its status.
+  bool needsReset() const { return needs_reset_; }
   // How often the board has raised an alarm since the port was opened.
   int alarms() const { return alarms_; }
 
@@ -62,6 +65,7 @@ class GrblLink {
   std::unique_ptr<BytePort> port_;
   GrblParser parser_;
   std::optional<Error> trouble_;
+  bool needs_reset_ = false;
   int alarms_ = 0;
   std::vector<double> work_offset_;
   double report_scale_ = 1.0;

@@ -2,6 +2,7 @@
 #include "core/device/find_table.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,6 +58,42 @@ class ParrotBoard final : public FirmwareBoard {
  private:
   std::string sentence_;
   std::string output_;
+};
+
+// A board that does not restart when its port is opened: one without the DTR line.
+class StaysOn final : public FirmwareBoard {
+ public:
+  explicit StaysOn(std::unique_ptr<FirmwareBoard> board) : board_(std::move(board)) {
+    board_->reset(0.0);
+  }
+  void reset(double) override {}
+  void receive(std::span<const std::byte> bytes, double time_s) override {
+    board_->receive(bytes, time_s);
+  }
+  void advanceTo(double time_s) override { board_->advanceTo(time_s); }
+  void pressLimitSwitch(double time_s) override { board_->pressLimitSwitch(time_s); }
+  std::string takeOutput() override { return board_->takeOutput(); }
+  bool busy() const override { return board_->busy(); }
+
+ private:
+  std::unique_ptr<FirmwareBoard> board_;
+};
+
+// A GRBL board that stays on, to which somebody has said something before.
+class RunningGrbl {
+ public:
+  explicit RunningGrbl(std::string_view said)
+      : room_(std::make_unique<StaysOn>(
+            makeFirmwareBoard("grbl", TurntableFirmwareOptions{}, shaft_))) {
+    room_.pass(1.0);
+    room_.board().receive(std::as_bytes(std::span(said)), room_.seconds());
+    room_.pass(0.1);
+  }
+  test::SteppedRoom& room() { return room_; }
+
+ private:
+  std::shared_ptr<Shaft> shaft_ = std::make_shared<Shaft>();
+  test::SteppedRoom room_;
 };
 
 PortOpener openerOf(test::SteppedRoom& room, int true_baud) {
@@ -142,6 +179,40 @@ TEST(FindTable, MachineThatMovesIsLeftAlone) {
   ASSERT_TRUE(search.error);
   EXPECT_EQ(search.error->code, Code::kBusy);
   EXPECT_THAT(room.sent(), Not(HasSubstr("\x18")));
+}
+
+TEST(FindTable, MachineThatStillSlowsDownIsLeftAlone) {
+  for (const char* report : {"<Hold:1|MPos:1.000,0.000,0.000|FS:9,0>\r\n",
+                             "<Door:2|MPos:1.000,0.000,0.000|FS:9,0>\r\n"}) {
+    for (const char* firmware : {"", "grbl"}) {
+      test::SteppedRoom room(std::make_unique<ParrotBoard>(report));
+      const PortOpener open = openerOf(room, 115200);
+      const TableSearch search = *firmware == 0 ? findTable(open, {115200}, 0.5, Task())
+                                                : findTable(firmware, open, {115200}, 0.5, Task());
+      ASSERT_TRUE(search.error);
+      EXPECT_EQ(search.error->code, Code::kBusy) << search.error->sentence();
+      EXPECT_THAT(room.sent(), Not(HasSubstr("\x18")));
+    }
+  }
+}
+
+TEST(FindTable, WorkThatWasPausedIsNotThrownAway) {
+  RunningGrbl grbl("G1X90F600\n!");
+  const TableSearch search = findTable(openerOf(grbl.room(), 115200), {115200}, 2.0, Task());
+  ASSERT_TRUE(search.error);
+  EXPECT_EQ(search.error->code, Code::kBusy);
+  EXPECT_THAT(search.error->what, HasSubstr("paused"));
+  EXPECT_THAT(grbl.room().sent(), Not(HasSubstr("\x18")));
+}
+
+TEST(FindTable, BoardThatSleepsOrLetsGoOfItsMotorFirstIsWaitedFor) {
+  for (const char* said : {"$SLP\n", "$1=254\n", "$20=1\nG1X90F600\n"}) {
+    RunningGrbl grbl(said);
+    const TableSearch search = findTable(openerOf(grbl.room(), 115200), {115200}, 2.0, Task());
+    EXPECT_FALSE(search.error) << said << search.error->sentence();
+    EXPECT_EQ(search.firmware, "grbl");
+    EXPECT_TRUE(search.driver);
+  }
 }
 
 TEST(FindTable, PortThatMayNotBeOpenedEndsTheSearch) {
