@@ -46,8 +46,7 @@ int run(const Words& words, Console& console, const Task& task) {
   tell(console, *merged);
   console.say(std::to_string(merged->cloud.points.size()) + " points are in " + words.out + ".");
   if (merged->mesh_problem) return console.fail(*merged->mesh_problem);
-  tellMesh(console, {merged->mesh, MeshMethod::kClosed, 0.0}, {}, 0.0);
-  return kDone;
+  return tellMesh(console, {merged->mesh, MeshMethod::kClosed, 0.0}, {}, 0.0, task);
 }
 
 }  // namespace

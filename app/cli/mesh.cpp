@@ -109,13 +109,13 @@ int run(const Words& words, Console& console, const Task& task) {
     made->mesh = std::move(result->mesh);
     cleaned = std::move(result->report);
   }
-  const auto coloured = colour(made->mesh, words, made->method, *input, task.part(0.8, 1.0));
+  const auto coloured = colour(made->mesh, words, made->method, *input, task.part(0.8, 0.95));
   if (!coloured) return console.fail(coloured.error());
   const auto written = writeModel(words.out, made->mesh, labelOfScan(words.input));
   if (!written) return console.fail(written.error());
   if (const auto told = refreshPage(words, input->folder); !told) return console.fail(told.error());
-  tellMesh(console, *made, cleaned, movedAlongZ_mm(words.out, made->mesh));
-  return kDone;
+  return tellMesh(console, *made, cleaned, movedAlongZ_mm(words.out, made->mesh),
+                  task.part(0.95, 1.0));
 }
 
 }  // namespace

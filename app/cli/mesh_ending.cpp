@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/formatted.h"
-#include "core/mesh/mesh_health.h"
+#include "core/mesh/clean/self_intersections.h"
 
 namespace gyre {
 namespace {
@@ -47,6 +47,12 @@ std::string healthText(const MeshHealth& health) {
   } else {
     text += "open where no camera looked (" + counted(health.holes, "rim", "rims") + ")";
   }
+  if (health.self_intersections.value_or(0) > 0) {
+    text +=
+        formatted(", passes through itself at %zu pairs of triangles", *health.self_intersections);
+  } else if (health.self_intersections) {
+    text += ", free of self-intersections";
+  }
   text += formatted(", %.4g cm^2", health.area_mm2 / 100.0);
   if (health.area_mm2 > 0.0) {
     text += formatted(", %.1f %% of it not seen", 100.0 * health.unseen_area_mm2 / health.area_mm2);
@@ -66,15 +72,18 @@ std::string stepText(const CleanStep& step) {
 
 }  // namespace
 
-void tellMesh(Console& console, const MadeMesh& made, const std::optional<CleanReport>& cleaned,
-              double moved_mm) {
+int tellMesh(Console& console, const MadeMesh& made, const std::optional<CleanReport>& cleaned,
+             double moved_mm, const Task& task) {
+  const auto health = wholeHealth(made.mesh, task);
+  if (!health) return console.fail(health.error());
   if (cleaned) {
     for (const CleanStep& step : cleaned->steps) console.say(stepText(step));
   }
-  console.say(methodText(made) + ": " + healthText(meshHealth(made.mesh)));
+  console.say(methodText(made) + ": " + healthText(*health));
   if (std::abs(moved_mm) >= kToldMove_mm) {
     console.say(formatted("Moved by %.3f mm along z to stand on the bed.", moved_mm));
   }
+  return kDone;
 }
 
 }  // namespace gyre

@@ -11,8 +11,9 @@
 namespace gyre {
 
 // The method, what each step of the clean-up did, whether the mesh can be printed and how large it
-// is, how much of it no camera saw, and how far it was moved to stand on the bed.
-void tellMesh(Console& console, const MadeMesh& made, const std::optional<CleanReport>& cleaned,
-              double moved_mm);
+// is, how much of it no camera saw, and how far it was moved to stand on the bed. Returns the exit
+// code: for self-intersections are looked for, which can be stopped.
+int tellMesh(Console& console, const MadeMesh& made, const std::optional<CleanReport>& cleaned,
+             double moved_mm, const Task& task);
 
 }  // namespace gyre

@@ -78,7 +78,7 @@ int failScan(Console& console, const ScanStore& store, const Error& error) {
   } else {
     console.warn(std::to_string(store.views().size()) + " of " +
                  std::to_string(store.settings().views) + " views are kept; `gyre resume " +
-                 folder + "` goes on.");
+                 folder + "` goes on. The motor stays on, so that the table stays where it is.");
   }
   return code;
 }

@@ -21,6 +21,8 @@ struct MeshHealth {
   // Handles of the body: 0 for a ball, 1 for a cup. Only where the mesh is closed, without
   // non-manifold edge or vertex, and one component.
   std::optional<long> genus;
+  // Pairs of triangles that meet elsewhere than in a shared edge or vertex. Nothing: not counted.
+  std::optional<std::size_t> self_intersections;
   double area_mm2 = 0.0;
   double unseen_area_mm2 = 0.0;  // of the triangles with a corner that no camera saw
   double volume_mm3 = 0.0;       // signed; meaningful when closed

@@ -13,6 +13,7 @@
 #include "core/mesh/clean/orient.h"
 #include "core/mesh/clean/split_non_manifold.h"
 #include "core/mesh/clean/surface_mesh.h"
+#include "core/mesh/mesh_health.h"
 
 namespace gyre {
 namespace {
@@ -53,6 +54,15 @@ Result<std::size_t> countSelfIntersections(const Mesh& mesh, const Task& task) {
   const auto pairs = findSelfIntersections(oriented->mesh, task);
   if (!pairs) return pairs.error();
   return pairs->size();
+}
+
+Result<MeshHealth> wholeHealth(const Mesh& mesh, const Task& task) {
+  task.report(0.0, "Looking for self-intersections");
+  MeshHealth health = meshHealth(mesh);
+  const auto count = countSelfIntersections(mesh, task);
+  if (task.stopRequested()) return cancelled();
+  if (count) health.self_intersections = *count;
+  return health;
 }
 
 }  // namespace gyre

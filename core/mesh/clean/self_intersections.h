@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/scan/mesh.h"
+#include "core/scan/mesh_health.h"
 
 namespace gyre {
 
@@ -21,5 +22,8 @@ Result<std::vector<std::array<std::uint32_t, 2>>> findSelfIntersections(const Me
 // How many such pairs there are. Meshes that are not manifold are separated first, so surfaces that
 // only touch count as well. Fails in words on a mesh that checkMesh refuses, and when stopped.
 Result<std::size_t> countSelfIntersections(const Mesh& mesh, const Task& task);
+
+// The mesh's health with its self-intersections, where they can be counted. Fails when stopped.
+Result<MeshHealth> wholeHealth(const Mesh& mesh, const Task& task);
 
 }  // namespace gyre

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/clean/self_intersections.h"
 
+#include <stop_token>
+
 #include <gtest/gtest.h>
 
 #include "core/mesh/clean/merge_vertices.h"
@@ -35,6 +37,24 @@ TEST(SelfIntersections, CountsBodiesThatTouch) {
   const Mesh touching = mergeVertices(boxes, {}, {})->mesh;
   EXPECT_EQ(findSelfIntersections(touching, {}).error().code, Error::Code::kInvalidInput);
   EXPECT_GT(*countSelfIntersections(touching, {}), 0U);
+}
+
+TEST(SelfIntersections, AreTheLastPartOfTheHealth) {
+  const auto box = wholeHealth(test::boxMesh({0, 0, 0}, {1, 2, 3}), {});
+  ASSERT_TRUE(box);
+  EXPECT_EQ(box->self_intersections, 0U);
+  EXPECT_EQ(box->genus, 0);
+  const auto crossing = wholeHealth(
+      test::joined(test::boxMesh({0, 0, 0}, {4, 4, 4}), test::boxMesh({1, 1, -1}, {2, 2, 1})), {});
+  ASSERT_TRUE(crossing);
+  EXPECT_GT(crossing->self_intersections.value_or(0), 0U);
+  // What has nothing to count is examined all the same.
+  EXPECT_FALSE(wholeHealth(Mesh{}, {})->self_intersections);
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped = wholeHealth(test::boxMesh({0, 0, 0}, {1, 1, 1}), Task(source.get_token()));
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, Error::Code::kCancelled);
 }
 
 TEST(SelfIntersections, TakesOneTriangleRefusesNoneAndStops) {
