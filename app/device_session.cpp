@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "app/count_anew.h"
 #include "core/base/units.h"
 
 namespace gyre {
@@ -138,6 +139,7 @@ void DeviceSession::move(std::function<double(double now_deg)> target_deg) {
   table_jobs_.start(
       [rig = rig_, target_deg = std::move(target_deg), angle_deg](const Task& task) {
         Turntable& table = *rig->turntable;
+        if (auto counted = countAnewIfLost(table); !counted) return counted;
         auto moved = table.moveTo(radFromDeg(target_deg(degFromRad(table.angleRad()))), task);
         *angle_deg = degFromRad(table.angleRad());
         return moved;

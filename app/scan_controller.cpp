@@ -179,6 +179,7 @@ void ScanController::run(ScanBegin begin, const ScanRequest& request) {
   alpha_shape_.reset();
   editor_.clear();
   Q_EMIT modelChanged();
+  Q_EMIT passesKnown({});
   facts_ = {};
   facts_.views = request.views;
   clock_.start();

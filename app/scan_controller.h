@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -21,6 +22,7 @@
 #include "core/scan/mesh_method.h"
 #include "core/scan/point_cloud.h"
 #include "core/scan/quick_look.h"
+#include "core/scan/scan_pass.h"
 #include "core/scan/tracked_frame.h"
 #include "ui/facts.h"
 
@@ -69,6 +71,11 @@ class ScanController final : public QObject {
   void exportPoints(const std::filesystem::path& file);
   void exportMesh(const std::filesystem::path& file);  // as its ending says: writeModel()
   void openModel(const std::filesystem::path& scan_or_file);
+  // A simulated object is turned over, as a person would do it; elsewhere nothing happens.
+  void turnOver();
+  // Makes one model of several results, each a folder, and shows it: mergeResults(). What was shown
+  // stays when that fails, or is stopped.
+  void merge(const std::vector<std::filesystem::path>& results);
   // Stops the table and everything else; quiet() follows when nothing runs any more.
   void shutDown();
 
@@ -83,6 +90,8 @@ class ScanController final : public QObject {
   void factsChanged(const gyre::ScanFacts& facts);
   void meshMade(const gyre::MeshPtr& mesh, const gyre::MeshHealth& health);
   void modelChanged();  // cloud(), mesh() and folder() are those of another scan or file
+  void passesKnown(const std::vector<gyre::ScanPass>& passes);  // of the model; empty: not merged
+  void mergeRefused(const gyre::Error& error);
   void written(const QString& path);
   void progressed(double fraction, const QString& stage);
   void failed(const gyre::Error& error);
@@ -112,6 +121,8 @@ class ScanController final : public QObject {
   void makeNextSurface();
   void stopSurface();
   void takeOpened(const OpenedModel& opened);
+  void beginComputing(ScanPhase phase);
+  void endComputing(const Result<void>& outcome);
   void compute(JobRunner::Job job, JobRunner::Done done);
   void exportBy(std::function<Result<void>()> write, const std::filesystem::path& file);
   void noteIdle();

@@ -10,6 +10,7 @@
 #include <QUrl>
 
 #include "app/calibration_wiring.h"
+#include "app/passes_wiring.h"
 #include "app/place_wiring.h"
 #include "app/surface_wiring.h"
 #include "core/device/discovery.h"
@@ -23,6 +24,7 @@
 #include "ui/job_bar.h"
 #include "ui/log_panel.h"
 #include "ui/mesh_panel.h"
+#include "ui/passes_card.h"
 #include "ui/place_panel.h"
 #include "ui/scan_panel.h"
 #include "ui/scene_view.h"
@@ -56,6 +58,7 @@ Workbench::Workbench(const RigOptions& rig)
   wireResults();
   wirePlace(*window_.work_page, controller_);
   wireSurface(*window_.work_page, controller_, measures_);
+  wirePasses(window_, controller_);
   wireFacts();
   wireCalibration(*window_.work_page, calibrations_, controller_);
   wireKeeping();
@@ -173,6 +176,10 @@ void Workbench::wireResults() {
   connect(page->export_panel, &ExportPanel::meshExportRequested, &controller_,
           [this](const QString& path) { controller_.exportMesh(pathOf(path)); });
   connect(&controller_, &ScanController::written, page->export_panel, &ExportPanel::showWritten);
+  connect(page->mesh_panel->passes, &PassesCard::turnOverRequested, this, [this] {
+    placed_ = false;
+    showSteps();
+  });
   connect(page->export_panel, &ExportPanel::openRequested, this, [page](const QString& path) {
     if (QDesktopServices::openUrl(QUrl::fromLocalFile(path))) return;
     page->banner->showNotice(tr("This computer has no program for \"%1\".").arg(path),

@@ -23,6 +23,7 @@ enum class ScanPhase {
   kStopping,   // the table slows down; the last view is being written
   kFinishing,  // all views are captured; the points are refined
   kMeshing,
+  kMerging,  // passes are laid on each other
   kDone,
   kFailed,  // what was captured is on the disk
 };
@@ -71,6 +72,12 @@ struct EditFacts {
   QString redo;
   bool previewing = false;  // a clean-up is shown, or is coming, that is not applied
   bool has_before = false;  // there is something to compare with
+};
+
+// What can be done with the passes of an object that is turned over between its scans.
+struct PassOffer {
+  bool finished = false;  // the model shown is a finished scan, or merged from such
+  QString with;           // the pass before this one, by name; empty: there is none
 };
 
 // Which side of the preview, or of the last step, the 3D view shows.

@@ -32,6 +32,7 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   resume_->hide();
   card->addWidget(start_);
   card->addWidget(resume_);
+  layout->setSpacing(kGap_px);
   layout->addStretch(1);
   connect(start_, &QPushButton::clicked, this, &ScanPanel::startRequested);
   connect(resume_, &QPushButton::clicked, this, &ScanPanel::resumeRequested);
