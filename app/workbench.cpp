@@ -54,6 +54,7 @@ Workbench::Workbench(const RigOptions& rig)
     : controller_(rig), calibrations_(controller_.devices()), small_jobs_("gyre-small") {
   wireStart();
   wireDevices();
+  wireDoctor();
   wireScan();
   wireResults();
   wirePlace(*window_.work_page, controller_);
@@ -95,7 +96,7 @@ void Workbench::wireStart() {
 
 // What was measured last is on the disk before the window goes.
 void Workbench::closeWhenQuiet() {
-  if (!quiet_ || measures_.busy()) return;
+  if (!quiet_ || measures_.busy() || doctor_.busy()) return;
   window_.allowClose();
   window_.close();
 }

@@ -5,6 +5,7 @@
 #include <QObject>
 
 #include "app/calibration_controller.h"
+#include "app/doctor.h"
 #include "app/job_runner.h"
 #include "app/measure_controller.h"
 #include "app/scan_controller.h"
@@ -25,6 +26,7 @@ class Workbench final : public QObject {
   ScanController& controller() { return controller_; }
   MeasureController& measures() { return measures_; }
   CalibrationController& calibrations() { return calibrations_; }
+  Doctor& doctor() { return doctor_; }
 
   // A whole scan on the simulated rig: connects, looks at the empty table, scans.
   void runDemo(const QString& object, int views, const QString& folder);
@@ -34,6 +36,7 @@ class Workbench final : public QObject {
   void wireStart();
   void closeWhenQuiet();
   void wireDevices();
+  void wireDoctor();
   void wireKeeping();
   void wireScan();
   void wireResults();
@@ -54,6 +57,7 @@ class Workbench final : public QObject {
   ScanController controller_;
   CalibrationController calibrations_;
   MeasureController measures_;
+  Doctor doctor_;
   JobRunner small_jobs_;  // lists devices, writes thumbnails
   QString device_id_;
   PictureSize picture_size_;  // of the camera that is open
