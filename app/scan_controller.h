@@ -62,6 +62,8 @@ class ScanController final : public QObject {
   void quickLook();
   void startScan(const gyre::ScanRequest& request);
   void resumeScan();  // captures what the last scan, or an opened one, does not hold yet
+  // The same after objected(): somebody says that nothing was moved. Pictures decide nothing then.
+  void resumeTrusting();
   void pause();
   void resume();
   void stop();
@@ -95,6 +97,9 @@ class ScanController final : public QObject {
   void written(const QString& path);
   void progressed(double fraction, const QString& stage);
   void failed(const gyre::Error& error);
+  // Instead of failed(): a scan was not taken up, for the pictures show that not all stands as it
+  // stood. Nothing was captured, and nothing is lost.
+  void objected(const gyre::Error& objection);
   void noticed(const QString& what, const QString& more);
   void logged(const QString& line);
   void quiet();
@@ -111,9 +116,10 @@ class ScanController final : public QObject {
   void devicesClosed();
   bool refuse(const QString& what, const QString& advice);
   bool readyToScan();
+  void resumeWith(TakeUp take_up);
   ScanPlan planFor(ScanBegin begin, const ScanRequest& request) const;
   ScanObserver observerOf(const std::shared_ptr<Live>& live);
-  void run(ScanBegin begin, const ScanRequest& request);
+  void run(const ScanPlan& plan);
   void deliver();
   void finished(const Result<void>& outcome, const std::shared_ptr<Outcome>& result);
   void showMesh(const std::shared_ptr<Outcome>& result);

@@ -13,7 +13,6 @@
 #include "app/empty_table.h"
 #include "app/kept_wire_log.h"
 #include "app/scan_files.h"
-#include "app/take_up_scan.h"
 #include "core/base/median.h"
 #include "core/io/calibration_record_file.h"
 #include "core/io/model_file.h"
@@ -64,8 +63,14 @@ Result<void> prepareTable(const Rig& rig, const ScanPlan& plan, const ScanObserv
   if (plan.begin != ScanBegin::kNew) {
     if (rig.room) rig.room->setTable(TableLoad::kObject);
     if (plan.begin == ScanBegin::kResumedInPlace) return {};
-    const auto taken_up = takeUpScan(rig, store, TakeUp::kProve, task);
-    if (!taken_up) return taken_up.error();
+    const auto taken_up = takeUpScan(rig, store, plan.take_up, task);
+    if (!taken_up) {
+      const Error& error = taken_up.error();
+      if (error.code == Error::Code::kRejected && observer.on_objection) {
+        observer.on_objection(error);
+      }
+      return error;
+    }
     for (const std::string& remark : *taken_up) tell(observer, remark);
     return {};
   }

@@ -9,6 +9,7 @@
 #include "app/empty_table.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
+#include "app/take_up_scan.h"
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/pipeline/reconstruction.h"
@@ -31,6 +32,7 @@ enum class ScanBegin {
 struct ScanPlan {
   std::filesystem::path folder;
   ScanBegin begin = ScanBegin::kNew;
+  TakeUp take_up = TakeUp::kProve;  // for kResumed
   ScanSettings settings;
   CalibrationRecord calibration;
   std::filesystem::path reference;  // picture by which a bump since is told; may be missing

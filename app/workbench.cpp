@@ -156,6 +156,12 @@ void Workbench::wireScan() {
   connect(page->scan_panel, &ScanPanel::startRequested, this, &Workbench::startScan);
   connect(page->scan_panel, &ScanPanel::folderChanged, this, &Workbench::showCost);
   connect(page->scan_panel, &ScanPanel::resumeRequested, &controller_, &ScanController::resumeScan);
+  connect(page->scan_panel, &ScanPanel::trustGiven, &controller_, &ScanController::resumeTrusting);
+  connect(&controller_, &ScanController::objected, this, [this, page](const Error& objection) {
+    window_.showWork(Step::kScan);
+    page->scan_panel->askTrust(objection);
+    window_.log_panel->addLine(QString::fromStdString(objection.sentence()));
+  });
   connect(page->job_bar, &JobBar::startRequested, this, &Workbench::startScan);
   connect(&window_, &MainWindow::pauseRequested, &controller_, &ScanController::pause);
   connect(&window_, &MainWindow::resumeRequested, &controller_, &ScanController::resume);
@@ -213,6 +219,7 @@ void Workbench::wireFacts() {
         controller_.mesh() ? controller_.mesh()->triangles.size() : 0);
   });
   connect(&controller_, &ScanController::factsChanged, page->job_bar, &JobBar::showFacts);
+  connect(&controller_, &ScanController::factsChanged, page->scan_panel, &ScanPanel::showFacts);
   connect(&controller_, &ScanController::progressed, this,
           [this](double fraction, const QString& stage) {
             if (!isCapturing(controller_.phase())) {

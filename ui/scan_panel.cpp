@@ -33,6 +33,7 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   card->addWidget(start_);
   card->addWidget(resume_);
   layout->setSpacing(kGap_px);
+  addTrustQuestion(*layout);
   layout->addStretch(1);
   connect(start_, &QPushButton::clicked, this, &ScanPanel::startRequested);
   connect(resume_, &QPushButton::clicked, this, &ScanPanel::resumeRequested);
@@ -92,6 +93,30 @@ void ScanPanel::addFolderChoice(QVBoxLayout& card) {
   });
 }
 
+void ScanPanel::addTrustQuestion(QVBoxLayout& layout) {
+  QVBoxLayout* card = nullptr;
+  trust_ = makeCard(card);
+  layout.addWidget(trust_);
+  card->addWidget(makeLabel(tr("Does all stand as it stood?"), "heading"));
+  objection_ = makeLabel(QString());
+  card->addWidget(objection_);
+  card->addWidget(
+      makeLabel(tr("What was captured is kept. Where something was moved after all, the rest would "
+                   "not fit it."),
+                "muted"));
+  auto* trust = makeButton(tr("Go on anyway"), tr("I know that nothing was moved"));
+  auto* cancel = makePrimaryButton(tr("Do not go on"), tr("Nothing is lost by it"));
+  card->addWidget(makeLabel(tr("Only if you know that nothing was moved:")));
+  card->addWidget(trust);
+  card->addWidget(cancel);
+  trust_->hide();
+  connect(cancel, &QPushButton::clicked, trust_, &QFrame::hide);
+  connect(trust, &QPushButton::clicked, this, [this] {
+    trust_->hide();
+    Q_EMIT trustGiven();
+  });
+}
+
 int ScanPanel::views() const { return views_->value(); }
 QString ScanPanel::folder() const { return folder_->text().trimmed(); }
 void ScanPanel::setFolder(const QString& folder) { folder_->setText(folder); }
@@ -107,10 +132,27 @@ void ScanPanel::showPhase(ScanPhase phase) {
   const bool at_rest =
       phase == ScanPhase::kReady || phase == ScanPhase::kDone || phase == ScanPhase::kFailed;
   start_->setEnabled(at_rest);
-  resume_->setVisible(phase == ScanPhase::kFailed);
+  phase_ = phase;
+  if (!at_rest) trust_->hide();
+  offerResuming();
   for (QAbstractButton* button : kind_->buttons()) button->setEnabled(!isCapturing(phase));
   views_->setEnabled(!isCapturing(phase) && kind_->checkedId() == 0);
   folder_->setEnabled(!isCapturing(phase));
+}
+
+void ScanPanel::showFacts(const ScanFacts& facts) {
+  unfinished_ = facts.views_done < facts.views;
+  offerResuming();
+}
+
+// A scan of which all views are there may still lack its points.
+void ScanPanel::offerResuming() {
+  resume_->setVisible(phase_ == ScanPhase::kFailed || (phase_ == ScanPhase::kReady && unfinished_));
+}
+
+void ScanPanel::askTrust(const Error& objection) {
+  objection_->setText(QString::fromStdString(objection.sentence()));
+  trust_->show();
 }
 
 void ScanPanel::showCost(const ScanCost& cost) {

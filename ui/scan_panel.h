@@ -6,9 +6,11 @@
 
 #include <QWidget>
 
+#include "core/base/result.h"
 #include "ui/facts.h"
 
 class QButtonGroup;
+class QFrame;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -31,15 +33,22 @@ class ScanPanel final : public QWidget {
  public Q_SLOTS:
   void showPhase(gyre::ScanPhase phase);
   void showCost(const gyre::ScanCost& cost);
+  void showFacts(const gyre::ScanFacts& facts);  // whether views of the scan are missing
+  // The pictures show that not all stands as it stood: asks whether to go on all the same. The
+  // question stands until it is answered, or a scan goes on.
+  void askTrust(const gyre::Error& objection);
 
  Q_SIGNALS:
   void startRequested();
   void resumeRequested();
+  void trustGiven();
   void folderChanged(const QString& folder);  // its disk is another one, maybe
 
  private:
   void addViewChoice(QVBoxLayout& card);
   void addFolderChoice(QVBoxLayout& card);
+  void addTrustQuestion(QVBoxLayout& layout);
+  void offerResuming();
   void showEstimate();
 
   QButtonGroup* kind_;
@@ -49,6 +58,10 @@ class ScanPanel final : public QWidget {
   QPushButton* start_;
   QPushButton* resume_;
   QLabel* no_room_;
+  QFrame* trust_;
+  QLabel* objection_;
+  ScanPhase phase_ = ScanPhase::kIdle;
+  bool unfinished_ = false;
   std::optional<ScanCost> cost_;
 };
 
