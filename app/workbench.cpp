@@ -51,10 +51,13 @@ QString devicesSentence(const Listed& listed) {
 }  // namespace
 
 Workbench::Workbench(const RigOptions& rig)
-    : controller_(rig), calibrations_(controller_.devices()), small_jobs_("gyre-small") {
+    : controller_(withPerson(rig, person_)),
+      calibrations_(controller_.devices()),
+      small_jobs_("gyre-small") {
   wireStart();
   wireDevices();
   wireDoctor();
+  wirePerson();
   wireScan();
   wireResults();
   wirePlace(*window_.work_page, controller_);
@@ -278,6 +281,9 @@ void Workbench::devicesOpened(const TurntableInfo& turntable, const CameraInfo& 
   // Where the scan would be kept, so that its disk is known before it is begun.
   ScanPanel* scan = window_.work_page->scan_panel;
   if (scan->folder().isEmpty()) scan->setFolder(settings_.newScanFolder(title_));
+  steps_per_turn_ = turntable.steps_per_turn;
+  showViewsRemark();
+  if (devices.turnedByHand()) offerMarks(turntable.steps_per_turn);
   showCost();
   showSteps();
   if (demo_) controller_.takeEmptyTable();

@@ -81,7 +81,7 @@ void DevicePanel::buildChoice(QVBoxLayout& layout) {
   QVBoxLayout* card = nullptr;
   layout.addWidget(makeCard(card));
   card->addWidget(makeLabel(tr("Turntable"), "heading"));
-  turntable_ = makeChoiceBox(tr("Turntable"), tr("A port, or tcp:HOST:PORT"));
+  turntable_ = makeChoiceBox(tr("Turntable"), tr("A port, tcp:HOST:PORT, or hand:MARKS"));
   card->addWidget(turntable_);
   card->addWidget(makeLabel(tr("Camera"), "heading"));
   camera_ = makeChoiceBox(tr("Camera"), tr("A camera, or the address of a stream"));
@@ -203,6 +203,10 @@ void DevicePanel::showPorts(const std::vector<PortInfo>& ports) {
   for (const PortInfo& port : ports) {
     addChoice(*turntable_, pathText(port.path, port.description), QString::fromStdString(port.path),
               QString::fromStdString(port.hindrance));
+  }
+  for (const int marks : {36, 72}) {
+    addChoice(*turntable_, tr("Turned by hand: %1 marks, %2° apart").arg(marks).arg(360 / marks),
+              QString("hand:%1").arg(marks), QString());
   }
   for (const char* object : {"duck", "mouse", "cube", "vase", "bowl", "plain", "target"}) {
     addChoice(*turntable_, tr("Simulated turntable: %1").arg(object), QString("sim:%1").arg(object),

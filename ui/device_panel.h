@@ -29,7 +29,7 @@ class DevicePanel final : public QWidget {
  public:
   explicit DevicePanel(QWidget* parent = nullptr);
 
-  QString turntable() const;  // a port, tcp:HOST:PORT or sim[:OBJECT], as on the command line
+  QString turntable() const;  // a port, hand:MARKS or sim[:OBJECT], as for commands
   QString camera() const;
   void choose(const QString& turntable, const QString& camera);
 

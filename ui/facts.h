@@ -80,6 +80,15 @@ struct PassOffer {
   QString with;           // the pass before this one, by name; empty: there is none
 };
 
+// How a table without a motor is to be turned. Marks are counted counter-clockwise, from 0.
+struct HandTurnFacts {
+  long long marks = 0;  // by so many
+  bool counter_clockwise = true;
+  double mark_deg = 0.0;  // between two marks
+  long long to_mark = 0;
+  double to_deg = 0.0;
+};
+
 // Which side of the preview, or of the last step, the 3D view shows.
 enum class EditSide { kBefore, kAfter };
 

@@ -60,6 +60,9 @@ void ScanPanel::addViewChoice(QVBoxLayout& card) {
                           static_cast<QWidget*>(own), static_cast<QWidget*>(views_)}) {
     card.addWidget(widget);
   }
+  views_remark_ = makeLabel(QString());
+  views_remark_->hide();
+  card.addWidget(views_remark_);
   estimate_ = makeLabel(QString(), "muted");
   card.addWidget(estimate_);
   connect(kind_, &QButtonGroup::idClicked, this, [this](int views) {
@@ -67,6 +70,7 @@ void ScanPanel::addViewChoice(QVBoxLayout& card) {
     if (views > 0) views_->setValue(views);
   });
   connect(views_, &QSpinBox::valueChanged, this, &ScanPanel::showEstimate);
+  connect(views_, &QSpinBox::valueChanged, this, &ScanPanel::viewsChanged);
 }
 
 void ScanPanel::addFolderChoice(QVBoxLayout& card) {
@@ -138,6 +142,11 @@ void ScanPanel::showPhase(ScanPhase phase) {
   for (QAbstractButton* button : kind_->buttons()) button->setEnabled(!isCapturing(phase));
   views_->setEnabled(!isCapturing(phase) && kind_->checkedId() == 0);
   folder_->setEnabled(!isCapturing(phase));
+}
+
+void ScanPanel::showViewsRemark(const QString& remark) {
+  views_remark_->setText(QString::fromUtf8("⚠ ") + remark);
+  views_remark_->setVisible(!remark.isEmpty());
 }
 
 void ScanPanel::showFacts(const ScanFacts& facts) {

@@ -33,6 +33,8 @@ class ScanPanel final : public QWidget {
  public Q_SLOTS:
   void showPhase(gyre::ScanPhase phase);
   void showCost(const gyre::ScanCost& cost);
+  // What there is to know of so many views on this table; empty: nothing.
+  void showViewsRemark(const QString& remark);
   void showFacts(const gyre::ScanFacts& facts);  // whether views of the scan are missing
   // The pictures show that not all stands as it stood: asks whether to go on all the same. The
   // question stands until it is answered, or a scan goes on.
@@ -42,6 +44,7 @@ class ScanPanel final : public QWidget {
   void startRequested();
   void resumeRequested();
   void trustGiven();
+  void viewsChanged(int views);
   void folderChanged(const QString& folder);  // its disk is another one, maybe
 
  private:
@@ -58,6 +61,7 @@ class ScanPanel final : public QWidget {
   QPushButton* start_;
   QPushButton* resume_;
   QLabel* no_room_;
+  QLabel* views_remark_;
   QFrame* trust_;
   QLabel* objection_;
   ScanPhase phase_ = ScanPhase::kIdle;

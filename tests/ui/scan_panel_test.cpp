@@ -116,5 +116,14 @@ TEST(ScanPanel, AsksForTrustAndTakesNoForAnAnswer) {
   EXPECT_FALSE(shownTexts(panel).contains("The object was moved."));
 }
 
+TEST(ScanPanel, RemarksOnANumberOfViewsThatTheTableDoesNotHave) {
+  ScanPanel panel;
+  EXPECT_FALSE(shownTexts(panel).contains("\u26a0"));
+  panel.showViewsRemark("Steps differ by one.");
+  EXPECT_TRUE(shownTexts(panel).contains("Steps differ by one."));
+  panel.showViewsRemark(QString());
+  EXPECT_FALSE(shownTexts(panel).contains("Steps differ"));
+}
+
 }  // namespace
 }  // namespace gyre
