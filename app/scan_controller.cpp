@@ -124,6 +124,7 @@ void ScanController::resumeWith(TakeUp take_up) {
   if (folder_.empty() || !readyToScan()) return;
   ScanRequest request;
   request.folder = folder_;
+  if (facts_.views > 0) request.views = facts_.views;
   const bool in_place = stopped_rig_.lock() == devices_.rig();
   ScanPlan plan = planFor(in_place ? ScanBegin::kResumedInPlace : ScanBegin::kResumed, request);
   plan.take_up = take_up;
@@ -187,7 +188,11 @@ void ScanController::run(const ScanPlan& plan) {
   editor_.clear();
   Q_EMIT modelChanged();
   Q_EMIT passesKnown({});
+  const int kept = plan.begin == ScanBegin::kNew ? 0 : facts_.views_done;
   facts_ = {};
+  facts_.views_done = kept;  // until the scan tells
+  live->views_done = kept;
+  live->views_before = kept;
   facts_.views = plan.settings.views;
   clock_.start();
   paused_ms_ = 0;

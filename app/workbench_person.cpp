@@ -38,11 +38,12 @@ void Workbench::showViewsRemark() {
   ScanPanel* scan = window_.work_page->scan_panel;
   QString remark;
   if (controller_.devices().isOpen() && steps_per_turn_ > 0.0) {
-    remark = steps_per_turn_ < scan->views()
-                 ? tr("This table stands still at %1 places of a turn only: take so many views, or "
-                      "fewer.")
-                       .arg(steps_per_turn_, 0, 'f', 0)
-                 : QString::fromStdString(viewStepsRemark(steps_per_turn_, scan->views()));
+    remark =
+        steps_per_turn_ < scan->views()
+            ? tr("⚠ This table stands still at %1 places of a turn only: take so many views, or "
+                 "fewer.")
+                  .arg(steps_per_turn_, 0, 'f', 0)
+            : QString::fromStdString(viewStepsRemark(steps_per_turn_, scan->views()));
   }
   scan->showViewsRemark(remark);
 }

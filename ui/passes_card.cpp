@@ -78,6 +78,7 @@ void PassesCard::offer() {
                       .arg(fontMetrics().elidedText(offer_.with, Qt::ElideMiddle, kNameWidth_px)));
   merge_->setVisible(!offer_.with.isEmpty() && !merging);
   stop_->setVisible(merging);
+  stop_->setEnabled(merging);
   for (QPushButton* button : {merge_, turn_over_, merge_with_}) button->setEnabled(may);
 }
 

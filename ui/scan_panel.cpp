@@ -23,6 +23,8 @@ QString diskText(double megabytes) {
 ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGap_px);
+  addTrustQuestion(*layout);  // first: a question is seen without scrolling
   QVBoxLayout* card = nullptr;
   layout->addWidget(makeCard(card));
   addViewChoice(*card);
@@ -32,8 +34,6 @@ ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   resume_->hide();
   card->addWidget(start_);
   card->addWidget(resume_);
-  layout->setSpacing(kGap_px);
-  addTrustQuestion(*layout);
   layout->addStretch(1);
   connect(start_, &QPushButton::clicked, this, &ScanPanel::startRequested);
   connect(resume_, &QPushButton::clicked, this, &ScanPanel::resumeRequested);
@@ -60,7 +60,7 @@ void ScanPanel::addViewChoice(QVBoxLayout& card) {
                           static_cast<QWidget*>(own), static_cast<QWidget*>(views_)}) {
     card.addWidget(widget);
   }
-  views_remark_ = makeLabel(QString());
+  views_remark_ = makeLabel(QString(), "muted");
   views_remark_->hide();
   card.addWidget(views_remark_);
   estimate_ = makeLabel(QString(), "muted");
@@ -145,7 +145,7 @@ void ScanPanel::showPhase(ScanPhase phase) {
 }
 
 void ScanPanel::showViewsRemark(const QString& remark) {
-  views_remark_->setText(QString::fromUtf8("⚠ ") + remark);
+  views_remark_->setText(remark);
   views_remark_->setVisible(!remark.isEmpty());
 }
 

@@ -115,7 +115,11 @@ TEST_F(ResumeWindow, AsksBeforeItGoesOnWhereThePicturesSayOtherwise) {
   startOn(pushed);
   QSignalSpy objected(&controller(), &ScanController::objected);
   press(panel_, "Go on with this scan");
+  QSignalSpy facts(&controller(), &ScanController::factsChanged);
   ASSERT_TRUE(QTest::qWaitFor([&] { return objected.count() == 1; }, kPatience_ms));
+  ASSERT_FALSE(facts.isEmpty());
+  EXPECT_EQ(facts.back().at(0).value<ScanFacts>().views_done, kCaptured);
+  EXPECT_EQ(facts.back().at(0).value<ScanFacts>().views, kViews);
   EXPECT_EQ(controller().phase(), ScanPhase::kFailed);
   EXPECT_TRUE(asks());
   EXPECT_EQ(bench_->window().work_page->shownStep(), Step::kScan);
