@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/calibration_run.h"
+#include "app/count_anew.h"
 #include "app/print_target.h"
 #include "core/calib/match/from_clicks.h"
 #include "core/calib/match/target_preview.h"
@@ -271,6 +272,7 @@ void CalibrationController::turn() {
   devices_.runAlone(
       [rig = devices_.rig(), chosen = chosen_, shown = shown_, watcher,
        outcome](const Task& task) -> Result<void> {
+        if (const auto counted = countAnewIfLost(*rig->turntable); !counted) return counted;
         auto calibrated =
             calibrateLive({*rig->turntable, *rig->camera}, soughtTarget(chosen->target, shown),
                           chosen->options, watcher, task);

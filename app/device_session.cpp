@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "app/count_anew.h"
+#include "app/free_hand.h"
 #include "core/base/units.h"
 
 namespace gyre {
@@ -21,6 +23,11 @@ struct Opened {
 Error notConfirmed() {
   return {Error::Code::kRejected, "The table was not moved.",
           "Say first that this device is your turntable (step 1)."};
+}
+
+Error notInTheWindow() {
+  return {Error::Code::kInvalidInput, "A table that is turned freely is for the command line.",
+          "Use `gyre scan --turntable hand:free`, or turn by marks here: hand:36."};
 }
 
 }  // namespace
@@ -44,10 +51,15 @@ void DeviceSession::open(const QString& turntable, const QString& camera) {
 void DeviceSession::openWith(const RigOptions& options, const QString& turntable,
                              const QString& camera) {
   if (isOpen() || table_jobs_.busy()) return;
+  if (namesFreeHand(turntable.toStdString())) {
+    Q_EMIT openFailed(notInTheWindow());
+    return;
+  }
   Q_EMIT opening();
   turntable_word_ = turntable;
   camera_word_ = camera;
-  confirmed_ = namesSimulation(turntable.toStdString());
+  // Neither drives a machine.
+  confirmed_ = namesSimulation(turntable.toStdString()) || turnedByHand();
   preview_failed_ = false;
   auto result = std::make_shared<Opened>();
   table_jobs_.start(
@@ -138,6 +150,7 @@ void DeviceSession::move(std::function<double(double now_deg)> target_deg) {
   table_jobs_.start(
       [rig = rig_, target_deg = std::move(target_deg), angle_deg](const Task& task) {
         Turntable& table = *rig->turntable;
+        if (auto counted = countAnewIfLost(table); !counted) return counted;
         auto moved = table.moveTo(radFromDeg(target_deg(degFromRad(table.angleRad()))), task);
         *angle_deg = degFromRad(table.angleRad());
         return moved;

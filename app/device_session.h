@@ -30,6 +30,7 @@ class DeviceSession final : public QObject {
   const std::shared_ptr<Rig>& rig() const { return rig_; }
   const QString& turntableWord() const { return turntable_word_; }
   const QString& cameraWord() const { return camera_word_; }
+  bool turnedByHand() const { return turntable_word_.startsWith("hand"); }
   const RigOptions& options() const { return options_; }
 
   // A job that has turntable and camera to itself; the live picture pauses meanwhile.

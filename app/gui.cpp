@@ -22,7 +22,11 @@
 #include "ui/calibration_panel.h"
 #include "ui/calibration_wizard/calibration_wizard.h"
 #include "ui/clean_panel.h"
+#include "ui/device_panel.h"
+#include "ui/job_bar.h"
+#include "ui/mesh_panel.h"
 #include "ui/model_tools.h"
+#include "ui/passes_card.h"
 #include "ui/scene_canvas.h"
 #include "ui/scene_view.h"
 #include "ui/theme.h"
@@ -119,6 +123,10 @@ class Photographer final : public QObject {
       showPlacing(object);
       return;
     }
+    if (options.scene == "doctor") {
+      showDoctor();
+      return;
+    }
     bench_.runDemo(object, kPictureViews, work_.filePath(object));
     if (options.scene == "scan") {
       connect(&bench_.controller(), &ScanController::factsChanged, this,
@@ -153,10 +161,33 @@ class Photographer final : public QObject {
     });
     scans->devices().open("sim:" + object, "sim");
   }
+  // What is the matter with a port at which there is nothing, and with all others.
+  void showDoctor() {
+    DevicePanel* panel = bench_.window().work_page->device_panel;
+    bench_.window().showWork(Step::kConnect);
+    panel->choose("/dev/ttyUSB0", "sim");
+    connect(&bench_.doctor(), &Doctor::checked, this, [this] { takeSoon(); });
+    Q_EMIT panel->checkRequested(panel->turntable());
+  }
+  // Called after each pass, and with the merged model.
+  void goOnMerging(WorkPage& page) {
+    PassesCard* card = page.mesh_panel->passes;
+    if (surfaces_ == 1) {
+      Q_EMIT card->turnOverRequested();
+      Q_EMIT page.job_bar->startRequested();
+    } else if (surfaces_ == 2) {
+      Q_EMIT card->mergeRequested();
+    } else {
+      takeSoon();
+    }
+  }
   void showSurface() {
     WorkPage* page = bench_.window().work_page;
     page->scene_view->fit();
-    if (scene_ == "clean") {
+    ++surfaces_;
+    if (scene_ == "merge") {
+      goOnMerging(*page);
+    } else if (scene_ == "clean") {
       connect(&bench_.controller().editor(), &SurfaceEditor::previewMade, this,
               [this] { takeSoon(); });
       connect(&bench_.controller().editor(), &SurfaceEditor::previewRefused, this,
@@ -224,18 +255,20 @@ class Photographer final : public QObject {
   QString file_;
   std::string scene_;
   QTemporaryDir work_;
+  int surfaces_ = 0;  // that were made so far
   bool asked_ = false;
   bool saved_ = false;
 };
 
 // What is wrong with the words of a screenshot; empty when nothing is.
 std::string wrongWord(const GuiOptions& options) {
-  constexpr std::array kScenes = {"start", "focus", "place", "scan", "mesh", "clean", "measure"};
+  constexpr std::array kScenes = {"start", "doctor", "focus", "place",  "scan",
+                                  "mesh",  "clean",  "merge", "measure"};
   const bool known = wizardStep(options.scene) ||
                      std::find(kScenes.begin(), kScenes.end(), options.scene) != kScenes.end();
   if (!known) {
-    return "There is no such scene. Give --scene start, focus, target, calibrate, turn, verdict, "
-           "place, scan, mesh, clean or measure.";
+    return "There is no such scene. Give --scene start, doctor, focus, target, calibrate, turn, "
+           "verdict, place, scan, mesh, clean, merge or measure.";
   }
   const std::vector<std::string>& objects = objectNames();
   if (std::find(objects.begin(), objects.end(), options.object) == objects.end()) {

@@ -11,7 +11,8 @@
 namespace gyre {
 
 // words: without the program's name. No words at all, one path of a scan or a model, or
-// `--screenshot FILE --scene start|focus|target|calibrate|turn|verdict|place|scan|mesh` in either
+// `--screenshot FILE --scene
+// start|doctor|focus|target|calibrate|turn|verdict|place|scan|mesh|clean|merge|measure` in either
 // order. Nothing for all others: they are commands.
 std::optional<GuiOptions> guiOptions(const std::vector<std::string>& words);
 

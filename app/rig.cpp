@@ -33,6 +33,9 @@ constexpr double kNetworkDelay_s = 0.25;
 // A network camera that was lost is looked for again so long before the scan gives up.
 constexpr double kNetworkSilence_s = 20.0;
 constexpr double kNetworkPatience_s = 40.0;
+// A hand that turns an object over does not lay it exactly as it lay.
+constexpr double kUpsideDown_deg = 180.0;
+constexpr double kLaidAside_deg = 50.0;
 
 Result<std::unique_ptr<SimulatedRoom>> furnish(const std::string& turntable_word,
                                                const RigOptions& options) {
@@ -128,6 +131,17 @@ Result<std::unique_ptr<Camera>> openSimulated(const RigOptions& options, Simulat
 
 void SimulatedRoom::setTable(TableLoad load) const {
   if (camera != nullptr) camera->setTable(load);
+}
+
+Result<void> SimulatedRoom::turnOver() {
+  if (camera == nullptr) return {};
+  settings.object_roll_deg = settings.object_roll_deg == 0.0 ? kUpsideDown_deg : 0.0;
+  settings.object_yaw_deg = std::remainder(settings.object_yaw_deg + kLaidAside_deg, 360.0);
+  auto target = simulatedTarget(settings);
+  if (!target) return target.error();
+  renderer = std::make_shared<const Renderer>(settings, std::move(target).value());
+  camera->setRoom(renderer);
+  return {};
 }
 
 bool namesSimulation(const std::string& word) { return word == "sim" || word.starts_with("sim:"); }

@@ -40,6 +40,8 @@ struct SimulatedRoom {
 
   // Puts the object on the table, or takes it away.
   void setTable(TableLoad load) const;
+  // Turns the object upside down, or back, and lays it a little aside. Takes about a second.
+  Result<void> turnOver();
 };
 
 struct Rig {

@@ -19,6 +19,7 @@ struct ScanController::Live {
   std::atomic<int> views_done = 0;
   std::atomic<int> views_before = 0;
   std::atomic<int> views = 0;
+  std::atomic<bool> objected = false;
   PauseGate gate;
   struct Update {
     TrackedFramePtr frame;
@@ -113,15 +114,21 @@ bool ScanController::readyToScan() {
 }
 
 void ScanController::startScan(const ScanRequest& request) {
-  if (readyToScan()) run(ScanBegin::kNew, request);
+  if (readyToScan()) run(planFor(ScanBegin::kNew, request));
 }
 
-void ScanController::resumeScan() {
+void ScanController::resumeScan() { resumeWith(TakeUp::kProve); }
+void ScanController::resumeTrusting() { resumeWith(TakeUp::kTrust); }
+
+void ScanController::resumeWith(TakeUp take_up) {
   if (folder_.empty() || !readyToScan()) return;
   ScanRequest request;
   request.folder = folder_;
+  if (facts_.views > 0) request.views = facts_.views;
   const bool in_place = stopped_rig_.lock() == devices_.rig();
-  run(in_place ? ScanBegin::kResumedInPlace : ScanBegin::kResumed, request);
+  ScanPlan plan = planFor(in_place ? ScanBegin::kResumedInPlace : ScanBegin::kResumed, request);
+  plan.take_up = take_up;
+  run(plan);
 }
 
 ScanPlan ScanController::planFor(ScanBegin begin, const ScanRequest& request) const {
@@ -146,6 +153,7 @@ ScanObserver ScanController::observerOf(const std::shared_ptr<Live>& live) {
         this, [this, remark] { Q_EMIT noticed(QString::fromStdString(remark), QString()); },
         Qt::QueuedConnection);
   };
+  observer.on_objection = [live](const Error&) { live->objected = true; };
   observer.on_begin = [this, live](int views_done, int views) {
     live->views_done = views_done;
     live->views_before = views_done;
@@ -170,17 +178,22 @@ ScanObserver ScanController::observerOf(const std::shared_ptr<Live>& live) {
   return observer;
 }
 
-void ScanController::run(ScanBegin begin, const ScanRequest& request) {
+void ScanController::run(const ScanPlan& plan) {
   auto live = std::make_shared<Live>();
   auto result = std::make_shared<Outcome>();
   live_ = live;
-  folder_ = request.folder;
+  folder_ = plan.folder;
   cloud_ = nullptr;
   alpha_shape_.reset();
   editor_.clear();
   Q_EMIT modelChanged();
+  Q_EMIT passesKnown({});
+  const int kept = plan.begin == ScanBegin::kNew ? 0 : facts_.views_done;
   facts_ = {};
-  facts_.views = request.views;
+  facts_.views_done = kept;  // until the scan tells
+  live->views_done = kept;
+  live->views_before = kept;
+  facts_.views = plan.settings.views;
   clock_.start();
   paused_ms_ = 0;
 
@@ -189,7 +202,7 @@ void ScanController::run(ScanBegin begin, const ScanRequest& request) {
   Q_EMIT factsChanged(facts_);
   Q_EMIT logged(tr("Scan into %1").arg(QString::fromStdString(folder_.string())));
   devices_.runAlone(
-      [rig = devices_.rig(), plan = planFor(begin, request), observer = observerOf(live),
+      [rig = devices_.rig(), plan, observer = observerOf(live),
        result](const Task& task) -> Result<void> {
         auto done = runScanSession(*rig, plan, observer, task);
         if (!done) return done.error();
@@ -226,7 +239,7 @@ void ScanController::deliver() {
 
 void ScanController::finished(const Result<void>& outcome, const std::shared_ptr<Outcome>& result) {
   deliver();
-  live_ = nullptr;
+  const bool was_objected = std::exchange(live_, nullptr)->objected;
   if (!outcome) {
     setPhase(ScanPhase::kFailed);
     if (outcome.error().code == Error::Code::kCancelled) {
@@ -234,6 +247,8 @@ void ScanController::finished(const Result<void>& outcome, const std::shared_ptr
       Q_EMIT noticed(tr("Stopped. What was captured is kept in %1.")
                          .arg(QString::fromStdString(folder_.string())),
                      tr("Step 5 can go on with this scan."));
+    } else if (was_objected) {
+      Q_EMIT this->objected(outcome.error());
     } else {
       Q_EMIT failed(outcome.error());
     }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -21,6 +22,7 @@
 #include "core/scan/mesh_method.h"
 #include "core/scan/point_cloud.h"
 #include "core/scan/quick_look.h"
+#include "core/scan/scan_pass.h"
 #include "core/scan/tracked_frame.h"
 #include "ui/facts.h"
 
@@ -60,6 +62,8 @@ class ScanController final : public QObject {
   void quickLook();
   void startScan(const gyre::ScanRequest& request);
   void resumeScan();  // captures what the last scan, or an opened one, does not hold yet
+  // The same after objected(): somebody says that nothing was moved. Pictures decide nothing then.
+  void resumeTrusting();
   void pause();
   void resume();
   void stop();
@@ -69,6 +73,11 @@ class ScanController final : public QObject {
   void exportPoints(const std::filesystem::path& file);
   void exportMesh(const std::filesystem::path& file);  // as its ending says: writeModel()
   void openModel(const std::filesystem::path& scan_or_file);
+  // A simulated object is turned over, as a person would do it; elsewhere nothing happens.
+  void turnOver();
+  // Makes one model of several results, each a folder, and shows it: mergeResults(). What was shown
+  // stays when that fails, or is stopped.
+  void merge(const std::vector<std::filesystem::path>& results);
   // Stops the table and everything else; quiet() follows when nothing runs any more.
   void shutDown();
 
@@ -83,9 +92,14 @@ class ScanController final : public QObject {
   void factsChanged(const gyre::ScanFacts& facts);
   void meshMade(const gyre::MeshPtr& mesh, const gyre::MeshHealth& health);
   void modelChanged();  // cloud(), mesh() and folder() are those of another scan or file
+  void passesKnown(const std::vector<gyre::ScanPass>& passes);  // of the model; empty: not merged
+  void mergeRefused(const gyre::Error& error);
   void written(const QString& path);
   void progressed(double fraction, const QString& stage);
   void failed(const gyre::Error& error);
+  // Instead of failed(): a scan was not taken up, for the pictures show that not all stands as it
+  // stood. Nothing was captured, and nothing is lost.
+  void objected(const gyre::Error& objection);
   void noticed(const QString& what, const QString& more);
   void logged(const QString& line);
   void quiet();
@@ -102,9 +116,10 @@ class ScanController final : public QObject {
   void devicesClosed();
   bool refuse(const QString& what, const QString& advice);
   bool readyToScan();
+  void resumeWith(TakeUp take_up);
   ScanPlan planFor(ScanBegin begin, const ScanRequest& request) const;
   ScanObserver observerOf(const std::shared_ptr<Live>& live);
-  void run(ScanBegin begin, const ScanRequest& request);
+  void run(const ScanPlan& plan);
   void deliver();
   void finished(const Result<void>& outcome, const std::shared_ptr<Outcome>& result);
   void showMesh(const std::shared_ptr<Outcome>& result);
@@ -112,6 +127,8 @@ class ScanController final : public QObject {
   void makeNextSurface();
   void stopSurface();
   void takeOpened(const OpenedModel& opened);
+  void beginComputing(ScanPhase phase);
+  void endComputing(const Result<void>& outcome);
   void compute(JobRunner::Job job, JobRunner::Done done);
   void exportBy(std::function<Result<void>()> write, const std::filesystem::path& file);
   void noteIdle();

@@ -1,6 +1,7 @@
 // What the scan controller looks at before a scan: the empty table, and the object from all sides.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/calibrated_rig.h"
+#include "app/count_anew.h"
 #include "app/scan_controller.h"
 #include "core/pipeline/quick_look.h"
 
@@ -28,6 +29,7 @@ void ScanController::takeEmptyTable() {
   auto picture = std::make_shared<EmptyTable>();
   devices_.runAlone(
       [rig = devices_.rig(), picture](const Task& task) -> Result<void> {
+        if (const auto counted = countAnewIfLost(*rig->turntable); !counted) return counted;
         auto taken = pictureOfEmptyTable(*rig, task);
         if (!taken) return taken.error();
         *picture = std::move(taken).value();
@@ -59,6 +61,7 @@ void ScanController::quickLook() {
        look](const Task& task) -> Result<void> {
         const auto applied = applyCalibration(*rig, record);
         if (!applied) return applied.error();
+        if (const auto counted = countAnewIfLost(*rig->turntable); !counted) return counted;
         if (rig->room) rig->room->setTable(TableLoad::kObject);
         const auto pictures =
             takeQuickLook(*rig->turntable, *rig->camera, show, task.part(0.0, kTurningShare));

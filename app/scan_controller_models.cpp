@@ -28,16 +28,24 @@ void ScanController::showMesh(const std::shared_ptr<Outcome>& result) {
   Q_EMIT meshMade(result->mesh, result->health);
 }
 
-void ScanController::compute(JobRunner::Job job, JobRunner::Done done) {
+void ScanController::beginComputing(ScanPhase phase) {
   ++jobs_;
   if (computing_++ == 0) phase_before_computing_ = phase_;
-  setPhase(ScanPhase::kMeshing);
+  setPhase(phase);
+}
+
+void ScanController::endComputing(const Result<void>& outcome) {
+  --jobs_;
+  if (--computing_ == 0) setPhase(phase_before_computing_);
+  if (!outcome && outcome.error().code != Error::Code::kCancelled) {
+    Q_EMIT failed(outcome.error());
+  }
+}
+
+void ScanController::compute(JobRunner::Job job, JobRunner::Done done) {
+  beginComputing(ScanPhase::kMeshing);
   compute_jobs_.start(std::move(job), [this, done = std::move(done)](const Result<void>& outcome) {
-    --jobs_;
-    if (--computing_ == 0) setPhase(phase_before_computing_);
-    if (!outcome && outcome.error().code != Error::Code::kCancelled) {
-      Q_EMIT failed(outcome.error());
-    }
+    endComputing(outcome);
     if (outcome) done(outcome);
     makeNextSurface();
   });
@@ -180,6 +188,7 @@ void ScanController::takeOpened(const OpenedModel& opened) {
   Q_EMIT factsChanged(facts_);
   Q_EMIT cloudGrew(cloud_);
   Q_EMIT modelChanged();
+  Q_EMIT passesKnown(opened.passes);
   if (opened.mesh) Q_EMIT meshMade(opened.mesh, opened.health);
   if (opened.views_done < opened.views) {
     Q_EMIT noticed(tr("This scan was interrupted after %1 of %2 views.")

@@ -20,6 +20,9 @@ struct ScanObserver {
   // Before the first move, and when all views are reconstructed: what the user should know of the
   // rig, a sentence.
   std::function<void(const std::string& remark)> on_remark;
+  // Before a scan is taken up and fails: what the pictures say against it (kRejected). Somebody who
+  // knows better may take it up all the same, with TakeUp::kTrust.
+  std::function<void(const Error& objection)> on_objection;
   // Before the first move: how many views are there already.
   std::function<void(int views_done, int views)> on_begin;
   // In the scan's thread, when a view is safe on the disk. May block: the table waits.

@@ -1,7 +1,6 @@
 // What the window's jobs do with a rig and with files, as plain functions without a window.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scan_session.h"
-#include "app/kept_wire_log.h"
 
 #include <algorithm>
 #include <memory>
@@ -10,11 +9,15 @@
 #include <vector>
 
 #include "app/calibrated_rig.h"
+#include "app/count_anew.h"
 #include "app/empty_table.h"
+#include "app/kept_wire_log.h"
 #include "app/scan_files.h"
-#include "app/take_up_scan.h"
 #include "core/base/median.h"
+#include "core/io/calibration_record_file.h"
 #include "core/io/model_file.h"
+#include "core/io/passes_file.h"
+#include "core/io/scan_settings_file.h"
 #include "core/io/scan_store.h"
 #include "core/io/visibility_file.h"
 #include "core/mesh/mesh_health.h"
@@ -60,8 +63,14 @@ Result<void> prepareTable(const Rig& rig, const ScanPlan& plan, const ScanObserv
   if (plan.begin != ScanBegin::kNew) {
     if (rig.room) rig.room->setTable(TableLoad::kObject);
     if (plan.begin == ScanBegin::kResumedInPlace) return {};
-    const auto taken_up = takeUpScan(rig, store, TakeUp::kProve, task);
-    if (!taken_up) return taken_up.error();
+    const auto taken_up = takeUpScan(rig, store, plan.take_up, task);
+    if (!taken_up) {
+      const Error& error = taken_up.error();
+      if (error.code == Error::Code::kRejected && observer.on_objection) {
+        observer.on_objection(error);
+      }
+      return error;
+    }
     for (const std::string& remark : *taken_up) tell(observer, remark);
     return {};
   }
@@ -76,10 +85,49 @@ Result<void> prepareTable(const Rig& rig, const ScanPlan& plan, const ScanObserv
   return takeEmptyTable(rig, store, task);
 }
 
+// A folder with points of which no scan tells: they were merged, or made of pictures.
+bool isBareResult(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(folder / "points.ply", ignored)) return false;
+  const auto scan = scanSettingsFileIn(folder);
+  return !scan && scan.error().code == Error::Code::kNotFound;
+}
+
+Result<void> openScan(const std::filesystem::path& path, OpenedModel& opened) {
+  const auto store = ScanStore::open(path);
+  if (!store) return store.error();
+  opened.scan_folder = store->folder();
+  opened.calibration = store->calibrationRecord();
+  opened.views = store->settings().views;
+  opened.views_done = static_cast<int>(store->views().size());
+  return {};
+}
+
+Result<void> openResult(const std::filesystem::path& folder, OpenedModel& opened) {
+  opened.scan_folder = folder;
+  std::error_code ignored;
+  if (const auto file = folder / "calibration.json"; std::filesystem::exists(file, ignored)) {
+    auto record = readCalibrationRecord(file);
+    if (!record) return record.error();
+    opened.calibration = std::move(record).value();
+  }
+  if (const auto file = folder / kPassesFile; std::filesystem::exists(file, ignored)) {
+    auto passes = readPasses(file);
+    if (!passes) return passes.error();
+    opened.passes = std::move(passes).value();
+    for (const ScanPass& pass : opened.passes) opened.views += static_cast<int>(pass.views);
+  }
+  opened.views_done = opened.views;
+  return {};
+}
+
 }  // namespace
 
 Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
                                          const ScanObserver& observer, const Task& task) {
+  if (plan.begin == ScanBegin::kNew) {
+    if (const auto counted = countAnewIfLost(*rig.turntable); !counted) return counted.error();
+  }
   auto store = storeFor(rig, plan, observer, task);
   if (!store) return store.error();
   const WireLogKeeper wire(plan.settings.turntable, store->folder());
@@ -107,12 +155,8 @@ Result<OpenedModel> openScanOrModel(const std::filesystem::path& path, const Tas
   std::filesystem::path mesh;
   std::error_code ignored;
   if (path.extension() == ".gyre" || std::filesystem::is_directory(path, ignored)) {
-    const auto store = ScanStore::open(path);
-    if (!store) return store.error();
-    opened.scan_folder = store->folder();
-    opened.calibration = store->calibrationRecord();
-    opened.views = store->settings().views;
-    opened.views_done = static_cast<int>(store->views().size());
+    const auto known = isBareResult(path) ? openResult(path, opened) : openScan(path, opened);
+    if (!known) return known.error();
     points = opened.scan_folder / "points.ply";
     mesh = opened.scan_folder / "mesh.ply";
     if (!std::filesystem::exists(points, ignored)) return opened;

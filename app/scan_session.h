@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "app/empty_table.h"
 #include "app/rig.h"
 #include "app/scan_run.h"
+#include "app/take_up_scan.h"
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/pipeline/reconstruction.h"
@@ -17,6 +19,7 @@
 #include "core/scan/mesh_health.h"
 #include "core/scan/point_cloud.h"
 #include "core/scan/scan.h"
+#include "core/scan/scan_pass.h"
 
 namespace gyre {
 
@@ -29,6 +32,7 @@ enum class ScanBegin {
 struct ScanPlan {
   std::filesystem::path folder;
   ScanBegin begin = ScanBegin::kNew;
+  TakeUp take_up = TakeUp::kProve;  // for kResumed
   ScanSettings settings;
   CalibrationRecord calibration;
   std::filesystem::path reference;  // picture by which a bump since is told; may be missing
@@ -47,16 +51,18 @@ Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
                                          const ScanObserver& observer, const Task& task);
 
 struct OpenedModel {
-  std::filesystem::path scan_folder;  // empty when a model's file was opened
+  std::filesystem::path scan_folder;  // or a result's; empty when a model's file was opened
   PointCloudPtr cloud;                // null when there is none
   MeshPtr mesh;
   MeshHealth health;
   std::optional<CalibrationRecord> calibration;
+  std::vector<ScanPass> passes;  // of which it was merged; empty for all others
   int views = 0;
   int views_done = 0;
 };
 
-// Reads a scan's folder or .gyre file with the results beside it, or a .ply, .obj or .stl.
+// Reads a scan's folder or .gyre file with the results beside it, the folder of another result, or
+// a .ply, .obj or .stl.
 Result<OpenedModel> openScanOrModel(const std::filesystem::path& path, const Task& task);
 
 // Half of the points are surer than this; nothing when there are none. [mm]

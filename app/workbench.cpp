@@ -10,6 +10,7 @@
 #include <QUrl>
 
 #include "app/calibration_wiring.h"
+#include "app/passes_wiring.h"
 #include "app/place_wiring.h"
 #include "app/surface_wiring.h"
 #include "core/device/discovery.h"
@@ -23,6 +24,7 @@
 #include "ui/job_bar.h"
 #include "ui/log_panel.h"
 #include "ui/mesh_panel.h"
+#include "ui/passes_card.h"
 #include "ui/place_panel.h"
 #include "ui/scan_panel.h"
 #include "ui/scene_view.h"
@@ -49,13 +51,18 @@ QString devicesSentence(const Listed& listed) {
 }  // namespace
 
 Workbench::Workbench(const RigOptions& rig)
-    : controller_(rig), calibrations_(controller_.devices()), small_jobs_("gyre-small") {
+    : controller_(withPerson(rig, person_)),
+      calibrations_(controller_.devices()),
+      small_jobs_("gyre-small") {
   wireStart();
   wireDevices();
+  wireDoctor();
+  wirePerson();
   wireScan();
   wireResults();
   wirePlace(*window_.work_page, controller_);
   wireSurface(*window_.work_page, controller_, measures_);
+  wirePasses(window_, controller_);
   wireFacts();
   wireCalibration(*window_.work_page, calibrations_, controller_);
   wireKeeping();
@@ -92,7 +99,7 @@ void Workbench::wireStart() {
 
 // What was measured last is on the disk before the window goes.
 void Workbench::closeWhenQuiet() {
-  if (!quiet_ || measures_.busy()) return;
+  if (!quiet_ || measures_.busy() || doctor_.busy()) return;
   window_.allowClose();
   window_.close();
 }
@@ -152,6 +159,12 @@ void Workbench::wireScan() {
   connect(page->scan_panel, &ScanPanel::startRequested, this, &Workbench::startScan);
   connect(page->scan_panel, &ScanPanel::folderChanged, this, &Workbench::showCost);
   connect(page->scan_panel, &ScanPanel::resumeRequested, &controller_, &ScanController::resumeScan);
+  connect(page->scan_panel, &ScanPanel::trustGiven, &controller_, &ScanController::resumeTrusting);
+  connect(&controller_, &ScanController::objected, this, [this, page](const Error& objection) {
+    window_.showWork(Step::kScan);
+    page->scan_panel->askTrust(objection);
+    window_.log_panel->addLine(QString::fromStdString(objection.sentence()));
+  });
   connect(page->job_bar, &JobBar::startRequested, this, &Workbench::startScan);
   connect(&window_, &MainWindow::pauseRequested, &controller_, &ScanController::pause);
   connect(&window_, &MainWindow::resumeRequested, &controller_, &ScanController::resume);
@@ -173,6 +186,10 @@ void Workbench::wireResults() {
   connect(page->export_panel, &ExportPanel::meshExportRequested, &controller_,
           [this](const QString& path) { controller_.exportMesh(pathOf(path)); });
   connect(&controller_, &ScanController::written, page->export_panel, &ExportPanel::showWritten);
+  connect(page->mesh_panel->passes, &PassesCard::turnOverRequested, this, [this] {
+    placed_ = false;
+    showSteps();
+  });
   connect(page->export_panel, &ExportPanel::openRequested, this, [page](const QString& path) {
     if (QDesktopServices::openUrl(QUrl::fromLocalFile(path))) return;
     page->banner->showNotice(tr("This computer has no program for \"%1\".").arg(path),
@@ -205,6 +222,7 @@ void Workbench::wireFacts() {
         controller_.mesh() ? controller_.mesh()->triangles.size() : 0);
   });
   connect(&controller_, &ScanController::factsChanged, page->job_bar, &JobBar::showFacts);
+  connect(&controller_, &ScanController::factsChanged, page->scan_panel, &ScanPanel::showFacts);
   connect(&controller_, &ScanController::progressed, this,
           [this](double fraction, const QString& stage) {
             if (!isCapturing(controller_.phase())) {
@@ -263,6 +281,9 @@ void Workbench::devicesOpened(const TurntableInfo& turntable, const CameraInfo& 
   // Where the scan would be kept, so that its disk is known before it is begun.
   ScanPanel* scan = window_.work_page->scan_panel;
   if (scan->folder().isEmpty()) scan->setFolder(settings_.newScanFolder(title_));
+  steps_per_turn_ = turntable.steps_per_turn;
+  showViewsRemark();
+  if (devices.turnedByHand()) offerMarks(turntable.steps_per_turn);
   showCost();
   showSteps();
   if (demo_) controller_.takeEmptyTable();

@@ -5,8 +5,10 @@
 #include <QObject>
 
 #include "app/calibration_controller.h"
+#include "app/doctor.h"
 #include "app/job_runner.h"
 #include "app/measure_controller.h"
+#include "app/person_at_window.h"
 #include "app/scan_controller.h"
 #include "app/settings.h"
 #include "core/scan/picture_size.h"
@@ -25,6 +27,8 @@ class Workbench final : public QObject {
   ScanController& controller() { return controller_; }
   MeasureController& measures() { return measures_; }
   CalibrationController& calibrations() { return calibrations_; }
+  Doctor& doctor() { return doctor_; }
+  PersonAtWindow& person() { return person_; }
 
   // A whole scan on the simulated rig: connects, looks at the empty table, scans.
   void runDemo(const QString& object, int views, const QString& folder);
@@ -34,6 +38,11 @@ class Workbench final : public QObject {
   void wireStart();
   void closeWhenQuiet();
   void wireDevices();
+  void wireDoctor();
+  static RigOptions withPerson(RigOptions rig, PersonAtWindow& person);
+  void wirePerson();
+  void offerMarks(double marks);
+  void showViewsRemark();
   void wireKeeping();
   void wireScan();
   void wireResults();
@@ -51,13 +60,16 @@ class Workbench final : public QObject {
 
   Settings settings_;
   MainWindow window_;
+  PersonAtWindow person_;  // outlives the tables that ask through it
   ScanController controller_;
   CalibrationController calibrations_;
   MeasureController measures_;
+  Doctor doctor_;
   JobRunner small_jobs_;  // lists devices, writes thumbnails
   QString device_id_;
-  PictureSize picture_size_;  // of the camera that is open
-  QString kept_file_;         // of the calibration in use
+  double steps_per_turn_ = 0.0;  // of the table that is open
+  PictureSize picture_size_;     // of the camera that is open
+  QString kept_file_;            // of the calibration in use
   QString title_;
   bool locked_ = false;  // the camera, since it was opened
   bool placed_ = false;

@@ -22,7 +22,7 @@ double megabytes(std::uintmax_t bytes) { return static_cast<double>(bytes) / kMe
 void Workbench::showCost() {
   const DeviceSession& devices = controller_.devices();
   if (!devices.isOpen()) return;
-  const bool by_hand = devices.turntableWord().startsWith("hand");
+  const bool by_hand = devices.turnedByHand();
   ScanCost cost;
   cost.turn_s = by_hand ? 0.0 : 360.0 / devices.options().turntable.speed_deg_per_s;
   cost.view_s = by_hand ? kSecondsByHand : kSecondsPerView;

@@ -7,6 +7,7 @@
 #include <QGridLayout>
 #include <QLineEdit>
 
+#include "ui/doctor_card.h"
 #include "ui/parts.h"
 #include "ui/theme.h"
 
@@ -61,6 +62,11 @@ DevicePanel::DevicePanel(QWidget* parent) : QWidget(parent) {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(kGap_px);
   buildChoice(*layout);
+  doctor_ = new DoctorCard;
+  layout->addWidget(doctor_);
+  connect(doctor_, &DoctorCard::checkRequested, this,
+          [this] { Q_EMIT checkRequested(turntable()); });
+  connect(doctor_, &DoctorCard::stopRequested, this, &DevicePanel::checkStopRequested);
   buildQuestion(*layout);
   buildLock(*layout);
   buildMoves(*layout);
@@ -75,7 +81,7 @@ void DevicePanel::buildChoice(QVBoxLayout& layout) {
   QVBoxLayout* card = nullptr;
   layout.addWidget(makeCard(card));
   card->addWidget(makeLabel(tr("Turntable"), "heading"));
-  turntable_ = makeChoiceBox(tr("Turntable"), tr("A port, or tcp:HOST:PORT"));
+  turntable_ = makeChoiceBox(tr("Turntable"), tr("A port, tcp:HOST:PORT, or hand:MARKS"));
   card->addWidget(turntable_);
   card->addWidget(makeLabel(tr("Camera"), "heading"));
   camera_ = makeChoiceBox(tr("Camera"), tr("A camera, or the address of a stream"));
@@ -198,6 +204,10 @@ void DevicePanel::showPorts(const std::vector<PortInfo>& ports) {
     addChoice(*turntable_, pathText(port.path, port.description), QString::fromStdString(port.path),
               QString::fromStdString(port.hindrance));
   }
+  for (const int marks : {36, 72}) {
+    addChoice(*turntable_, tr("Turned by hand: %1 marks, %2° apart").arg(marks).arg(360 / marks),
+              QString("hand:%1").arg(marks), QString());
+  }
   for (const char* object : {"duck", "mouse", "cube", "vase", "bowl", "plate", "plain", "target"}) {
     addChoice(*turntable_, tr("Simulated turntable: %1").arg(object), QString("sim:%1").arg(object),
               QString());
@@ -219,6 +229,7 @@ void DevicePanel::showCameras(const std::vector<CameraDeviceInfo>& cameras) {
 }
 
 void DevicePanel::showHindrance() {
+  if (doctor_ != nullptr) doctor_->showChosen(turntable());
   QStringList lines;
   for (const QComboBox* box : {turntable_, camera_}) {
     const int at = box->findText(box->currentText());
@@ -230,22 +241,46 @@ void DevicePanel::showHindrance() {
 }
 
 void DevicePanel::showPhase(ScanPhase phase) {
-  const bool idle = phase == ScanPhase::kIdle;
+  idle_ = phase == ScanPhase::kIdle;
   const bool at_rest =
       phase == ScanPhase::kReady || phase == ScanPhase::kDone || phase == ScanPhase::kFailed;
-  turntable_->setEnabled(idle);
-  camera_->setEnabled(idle);
+  doctor_->showPhase(phase);
+  offerConnecting();
   connect_->setVisible(!at_rest);
-  connect_->setEnabled(idle);
   disconnect_->setVisible(at_rest);
   moves_->setEnabled(at_rest);
   camera_card_->setEnabled(at_rest);
-  if (idle) {
+  if (idle_) {
     question_->hide();
     lock_->hide();
     moves_->hide();
     camera_card_->hide();
   }
+}
+
+void DevicePanel::offerConnecting() {
+  for (QWidget* part : {static_cast<QWidget*>(turntable_), static_cast<QWidget*>(camera_),
+                        static_cast<QWidget*>(connect_)}) {
+    part->setEnabled(idle_ && !checking_);
+  }
+}
+
+void DevicePanel::showChecking() {
+  checking_ = true;
+  doctor_->showBegun();
+  offerConnecting();
+}
+
+void DevicePanel::showChecked(const std::vector<PortDiagnosis>& ports) {
+  checking_ = false;
+  doctor_->showPorts(ports);
+  offerConnecting();
+}
+
+void DevicePanel::showCheckStopped() {
+  checking_ = false;
+  doctor_->showStopped();
+  offerConnecting();
 }
 
 void DevicePanel::showTurntable(const TurntableInfo& info) {

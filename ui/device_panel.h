@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "core/scan/device_info.h"
+#include "core/scan/port_diagnosis.h"
 #include "ui/facts.h"
 
 class QComboBox;
@@ -18,6 +19,8 @@ class QVBoxLayout;
 
 namespace gyre {
 
+class DoctorCard;
+
 // Ports and cameras are listed without being opened. Moving is offered only after the user has said
 // that the identified device is a turntable.
 class DevicePanel final : public QWidget {
@@ -26,7 +29,7 @@ class DevicePanel final : public QWidget {
  public:
   explicit DevicePanel(QWidget* parent = nullptr);
 
-  QString turntable() const;  // a port, tcp:HOST:PORT or sim[:OBJECT], as on the command line
+  QString turntable() const;  // a port, hand:MARKS or sim[:OBJECT], as for commands
   QString camera() const;
   void choose(const QString& turntable, const QString& camera);
 
@@ -42,11 +45,17 @@ class DevicePanel final : public QWidget {
   // Asks whether a locked board may be unlocked; lock: why it is, and what to do. An empty text
   // takes the question away.
   void askToUnlock(const QString& lock);
+  // While ports are being checked nothing is connected.
+  void showChecking();
+  void showChecked(const std::vector<gyre::PortDiagnosis>& ports);
+  void showCheckStopped();
 
  Q_SIGNALS:
   void refreshRequested();
   void connectRequested(const QString& turntable, const QString& camera);
   void disconnectRequested();
+  void checkRequested(const QString& turntable);  // what is the matter with it, and all others
+  void checkStopRequested();
   void turntableConfirmed();
   void unlockAllowed();
   void turnRequestedDeg(double by_deg);
@@ -60,12 +69,16 @@ class DevicePanel final : public QWidget {
   void buildMoves(QVBoxLayout& layout);
   void buildCamera(QVBoxLayout& layout);
   void showHindrance();
+  void offerConnecting();
 
   QComboBox* turntable_;
   QComboBox* camera_;
   QLabel* hindrance_;
   QPushButton* connect_;
   QPushButton* disconnect_;
+  DoctorCard* doctor_ = nullptr;
+  bool idle_ = true;
+  bool checking_ = false;
   QFrame* question_;
   QLabel* question_text_;
   QFrame* lock_;

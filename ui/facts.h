@@ -23,6 +23,7 @@ enum class ScanPhase {
   kStopping,   // the table slows down; the last view is being written
   kFinishing,  // all views are captured; the points are refined
   kMeshing,
+  kMerging,  // passes are laid on each other
   kDone,
   kFailed,  // what was captured is on the disk
 };
@@ -71,6 +72,21 @@ struct EditFacts {
   QString redo;
   bool previewing = false;  // a clean-up is shown, or is coming, that is not applied
   bool has_before = false;  // there is something to compare with
+};
+
+// What can be done with the passes of an object that is turned over between its scans.
+struct PassOffer {
+  bool finished = false;  // the model shown is a finished scan, or merged from such
+  QString with;           // the pass before this one, by name; empty: there is none
+};
+
+// How a table without a motor is to be turned. Marks are counted counter-clockwise, from 0.
+struct HandTurnFacts {
+  long long marks = 0;  // by so many
+  bool counter_clockwise = true;
+  double mark_deg = 0.0;  // between two marks
+  long long to_mark = 0;
+  double to_deg = 0.0;
 };
 
 // Which side of the preview, or of the last step, the 3D view shows.

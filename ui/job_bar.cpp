@@ -82,7 +82,8 @@ void JobBar::showPhase(ScanPhase phase) {
   pause_->setIcon(themeIcon(paused ? "start" : "pause"));
   stop_->setEnabled(phase == ScanPhase::kScanning || paused || phase == ScanPhase::kConnecting ||
                     phase == ScanPhase::kEmptyTable || phase == ScanPhase::kQuickLook ||
-                    phase == ScanPhase::kFinishing || phase == ScanPhase::kMeshing);
+                    phase == ScanPhase::kFinishing || phase == ScanPhase::kMeshing ||
+                    phase == ScanPhase::kMerging);
   stage_->setText(phaseText(phase));
 }
 
@@ -132,6 +133,8 @@ QString phaseText(ScanPhase phase) {
       return JobBar::tr("Refining the points…");
     case ScanPhase::kMeshing:
       return JobBar::tr("Building the surface…");
+    case ScanPhase::kMerging:
+      return JobBar::tr("Merging the passes…");
     case ScanPhase::kDone:
       return JobBar::tr("Done");
     case ScanPhase::kFailed:

@@ -14,6 +14,7 @@
 
 #include "ui/health_words.h"
 #include "ui/parts.h"
+#include "ui/passes_card.h"
 #include "ui/surface_kinds.h"
 
 namespace gyre {
@@ -44,6 +45,8 @@ MeshPanel::MeshPanel(QWidget* parent) : QWidget(parent) {
   layout->setContentsMargins(0, 0, 0, 0);
   addSurfaceCard(layout);
   addViewCard(layout);
+  passes = new PassesCard;
+  layout->addWidget(passes);
   layout->addStretch(1);
   connectAll();
   offer();
@@ -156,6 +159,7 @@ void MeshPanel::showSurface(MeshMethod method, double gap_size_mm) {
 
 void MeshPanel::showPhase(ScanPhase phase) {
   phase_ = phase;
+  passes->showPhase(phase);
   offer();
 }
 
@@ -166,8 +170,8 @@ void MeshPanel::showPoints(std::size_t points) {
 
 void MeshPanel::offer() {
   const bool works = isCapturing(phase_) || phase_ == ScanPhase::kFinishing ||
-                     phase_ == ScanPhase::kMeshing || phase_ == ScanPhase::kEmptyTable ||
-                     phase_ == ScanPhase::kQuickLook;
+                     phase_ == ScanPhase::kMeshing || phase_ == ScanPhase::kMerging ||
+                     phase_ == ScanPhase::kEmptyTable || phase_ == ScanPhase::kQuickLook;
   make_->setEnabled(points_ > 0 && !works);
 }
 

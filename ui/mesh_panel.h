@@ -21,11 +21,15 @@ class QVBoxLayout;
 
 namespace gyre {
 
+class PassesCard;
+
 class MeshPanel final : public QWidget {
   Q_OBJECT
 
  public:
   explicit MeshPanel(QWidget* parent = nullptr);
+
+  PassesCard* passes;  // a child
 
   // False while the points are to be seen in the 3D view.
   bool showsSurface() const;

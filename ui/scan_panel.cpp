@@ -23,6 +23,8 @@ QString diskText(double megabytes) {
 ScanPanel::ScanPanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(kGap_px);
+  addTrustQuestion(*layout);  // first: a question is seen without scrolling
   QVBoxLayout* card = nullptr;
   layout->addWidget(makeCard(card));
   addViewChoice(*card);
@@ -58,6 +60,9 @@ void ScanPanel::addViewChoice(QVBoxLayout& card) {
                           static_cast<QWidget*>(own), static_cast<QWidget*>(views_)}) {
     card.addWidget(widget);
   }
+  views_remark_ = makeLabel(QString(), "muted");
+  views_remark_->hide();
+  card.addWidget(views_remark_);
   estimate_ = makeLabel(QString(), "muted");
   card.addWidget(estimate_);
   connect(kind_, &QButtonGroup::idClicked, this, [this](int views) {
@@ -65,6 +70,7 @@ void ScanPanel::addViewChoice(QVBoxLayout& card) {
     if (views > 0) views_->setValue(views);
   });
   connect(views_, &QSpinBox::valueChanged, this, &ScanPanel::showEstimate);
+  connect(views_, &QSpinBox::valueChanged, this, &ScanPanel::viewsChanged);
 }
 
 void ScanPanel::addFolderChoice(QVBoxLayout& card) {
@@ -91,6 +97,30 @@ void ScanPanel::addFolderChoice(QVBoxLayout& card) {
   });
 }
 
+void ScanPanel::addTrustQuestion(QVBoxLayout& layout) {
+  QVBoxLayout* card = nullptr;
+  trust_ = makeCard(card);
+  layout.addWidget(trust_);
+  card->addWidget(makeLabel(tr("Does all stand as it stood?"), "heading"));
+  objection_ = makeLabel(QString());
+  card->addWidget(objection_);
+  card->addWidget(
+      makeLabel(tr("What was captured is kept. Where something was moved after all, the rest would "
+                   "not fit it."),
+                "muted"));
+  auto* trust = makeButton(tr("Go on anyway"), tr("I know that nothing was moved"));
+  auto* cancel = makePrimaryButton(tr("Do not go on"), tr("Nothing is lost by it"));
+  card->addWidget(makeLabel(tr("Only if you know that nothing was moved:")));
+  card->addWidget(trust);
+  card->addWidget(cancel);
+  trust_->hide();
+  connect(cancel, &QPushButton::clicked, trust_, &QFrame::hide);
+  connect(trust, &QPushButton::clicked, this, [this] {
+    trust_->hide();
+    Q_EMIT trustGiven();
+  });
+}
+
 int ScanPanel::views() const { return views_->value(); }
 QString ScanPanel::folder() const { return folder_->text().trimmed(); }
 void ScanPanel::setFolder(const QString& folder) { folder_->setText(folder); }
@@ -106,10 +136,32 @@ void ScanPanel::showPhase(ScanPhase phase) {
   const bool at_rest =
       phase == ScanPhase::kReady || phase == ScanPhase::kDone || phase == ScanPhase::kFailed;
   start_->setEnabled(at_rest);
-  resume_->setVisible(phase == ScanPhase::kFailed);
+  phase_ = phase;
+  if (!at_rest) trust_->hide();
+  offerResuming();
   for (QAbstractButton* button : kind_->buttons()) button->setEnabled(!isCapturing(phase));
   views_->setEnabled(!isCapturing(phase) && kind_->checkedId() == 0);
   folder_->setEnabled(!isCapturing(phase));
+}
+
+void ScanPanel::showViewsRemark(const QString& remark) {
+  views_remark_->setText(remark);
+  views_remark_->setVisible(!remark.isEmpty());
+}
+
+void ScanPanel::showFacts(const ScanFacts& facts) {
+  unfinished_ = facts.views_done < facts.views;
+  offerResuming();
+}
+
+// A scan of which all views are there may still lack its points.
+void ScanPanel::offerResuming() {
+  resume_->setVisible(phase_ == ScanPhase::kFailed || (phase_ == ScanPhase::kReady && unfinished_));
+}
+
+void ScanPanel::askTrust(const Error& objection) {
+  objection_->setText(QString::fromStdString(objection.sentence()));
+  trust_->show();
 }
 
 void ScanPanel::showCost(const ScanCost& cost) {

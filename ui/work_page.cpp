@@ -13,6 +13,7 @@
 #include "ui/device_panel.h"
 #include "ui/export_panel.h"
 #include "ui/focus_panel.h"
+#include "ui/hand_card.h"
 #include "ui/job_bar.h"
 #include "ui/measure_panel.h"
 #include "ui/mesh_panel.h"
@@ -64,6 +65,8 @@ WorkPage::WorkPage(QWidget* parent) : QWidget(parent) {
   layout->addLayout(right, 1);
   banner = new Banner;
   right->addWidget(banner);
+  hand_card = new HandCard;
+  right->addWidget(hand_card);
   right->addWidget(buildViews(), 1);
   job_bar = new JobBar;
   right->addWidget(job_bar);

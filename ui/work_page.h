@@ -18,6 +18,7 @@ class CleanPanel;
 class DevicePanel;
 class ExportPanel;
 class FocusPanel;
+class HandCard;
 class JobBar;
 class MeasurePanel;
 class MeshPanel;
@@ -36,6 +37,7 @@ class WorkPage final : public QWidget {
 
   // Parts, all children of the page.
   Banner* banner;
+  HandCard* hand_card;
   StepList* steps;
   DevicePanel* device_panel;
   FocusPanel* focus_panel;

@@ -14,12 +14,11 @@
 #include "app/cli/device_words.h"
 #include "app/cli/scan_words.h"
 #include "app/cli/subcommands.h"
+#include "app/port_check.h"
 #include "app/rig.h"
-#include "app/table_at_port.h"
 #include "app/turntable_word.h"
 #include "core/device/discovery.h"
 #include "core/device/port_doctor.h"
-#include "core/device/protocol_turntable.h"
 #include "core/pipeline/watch_motor.h"
 
 namespace gyre {
@@ -32,40 +31,16 @@ struct Words {
   bool unlock = false;
 };
 
-// What answers at a port, and the table itself where it is one.
-struct Probed {
-  PortDiagnosis diagnosis;
-  std::unique_ptr<Turntable> table;
-};
-
-// What answers at the port. Moves nothing.
-Probed diagnose(const TurntableWord& word, const Task& task) {
-  const TurntableOptions options;
-  TableSearch search = searchAtPort(word, options.greeting_s, task);
-  Probed probed;
-  std::optional<TurntableInfo> info;
-  if (search.driver) {
-    auto table = ProtocolTurntable::adopt(std::move(search.driver), options, task);
-    if (table) {
-      info = (*table)->info();
-      probed.table = std::move(*table);
-    } else {
-      search.error = table.error();
-    }
-  }
-  probed.diagnosis = diagnoseSearch(word.port, search, info);
-  return probed;
-}
-
 bool isUsable(PortState state) {
   return state == PortState::kTurntable || state == PortState::kHindered ||
          state == PortState::kLocked;
 }
 
 // Turns the table before the camera: a motor that stands is told as such. Nothing when it turns.
-Result<std::optional<PortDiagnosis>> watchTheMotor(const Words& words, Probed& probed,
+Result<std::optional<PortDiagnosis>> watchTheMotor(const Words& words, CheckedPort& probed,
                                                    Console& console, const Task& task) {
-  const auto camera = openCamera(words.watch, RigOptions{}, nullptr);
+  const RigOptions options;
+  const auto camera = openCamera(words.watch, options, nullptr);
   if (!camera) return camera.error();
   if (const auto allowed = allowUnlock(*probed.table, unlockWord(words.unlock), console, task);
       !allowed) {
@@ -91,7 +66,7 @@ int probe(const Words& words, Console& console, const Task& task) {
     return console.wrongUse({Error::Code::kInvalidInput, "A table turned by hand has no port.",
                              "Name a port, such as /dev/ttyUSB0."});
   }
-  Probed probed = diagnose(*word, task);
+  CheckedPort probed = checkPort(*word, task);
   if (task.stopRequested()) return console.fail(cancelled());
   if (!words.watch.empty() && probed.table) {
     auto stands = watchTheMotor(words, probed, console, task);

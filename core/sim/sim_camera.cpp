@@ -12,13 +12,22 @@ namespace gyre {
 
 SimCamera::SimCamera(std::shared_ptr<const Renderer> renderer, std::shared_ptr<const Shaft> shaft,
                      SimClock clock)
-    : renderer_(std::move(renderer)), shaft_(std::move(shaft)), clock_(clock) {
-  GYRE_CHECK(renderer_ != nullptr && shaft_ != nullptr);
+    : rig_(renderer->rig()),
+      shaft_(std::move(shaft)),
+      clock_(clock),
+      renderer_(std::move(renderer)) {
+  GYRE_CHECK(shaft_ != nullptr);
   ticker_ = std::jthread([this](const std::stop_token& stop) { exposeByTheClock(stop); });
 }
 
+void SimCamera::setRoom(std::shared_ptr<const Renderer> renderer) {
+  GYRE_CHECK(renderer != nullptr);
+  const std::lock_guard lock(mutex_);
+  renderer_ = std::move(renderer);
+}
+
 void SimCamera::exposeByTheClock(const std::stop_token& stop) {
-  const double period_s = 1.0 / renderer_->rig().frames_per_s;
+  const double period_s = 1.0 / rig_.frames_per_s;
   std::mutex sleep_mutex;
   std::condition_variable_any sleeper;
   double next_s = (std::floor(clock_.seconds() / period_s) + 1.0) * period_s;
@@ -32,7 +41,9 @@ void SimCamera::exposeByTheClock(const std::stop_token& stop) {
     {
       const std::lock_guard lock(mutex_);
       // A full queue loses the new picture, not the old ones: a driver has no free buffer for it.
-      if (queue_.size() < kQueueLength) queue_.push_back({shaft_->tableSteps(), load_.load()});
+      if (queue_.size() < kQueueLength) {
+        queue_.push_back({renderer_, shaft_->tableSteps(), load_.load()});
+      }
     }
     arrived_.notify_one();
     // Exposures that this thread slept through are lost, not made up for.
@@ -58,7 +69,7 @@ Result<Frame> SimCamera::retrieve() {
   }
   // The same world gives the same picture: while the table rests one rendering serves.
   if (rendered_ != grabbed_) {
-    rendered_bgr_ = renderer_->render(grabbed_->steps, grabbed_->load).image_bgr;
+    rendered_bgr_ = grabbed_->room->render(grabbed_->steps, grabbed_->load).image_bgr;
     rendered_ = grabbed_;
   }
   Frame frame;
@@ -70,12 +81,11 @@ Result<Frame> SimCamera::retrieve() {
 CameraInfo SimCamera::lockControls() { return info(); }
 
 CameraInfo SimCamera::info() const {
-  const RigSettings& rig = renderer_->rig();
   CameraInfo info;
   info.description = "Simulated camera";
-  info.width_px = rig.image_width_px;
-  info.height_px = rig.image_height_px;
-  info.frames_per_s = rig.frames_per_s;
+  info.width_px = rig_.image_width_px;
+  info.height_px = rig_.image_height_px;
+  info.frames_per_s = rig_.frames_per_s;
   for (const char* name : {"focus", "exposure", "gain", "white balance"}) {
     info.controls.push_back({name, /*locked=*/true, /*value=*/0.0, /*remark=*/""});
   }

@@ -36,10 +36,14 @@ class SimCamera final : public FrameSource {
   // The hand that puts the object on the table and takes it away. Any thread.
   void setTable(TableLoad load) { load_.store(load); }
   TableLoad table() const { return load_.load(); }
+  // The same hand lays the object differently: pictures from now on are of this room, which has the
+  // same camera. Any thread.
+  void setRoom(std::shared_ptr<const Renderer> renderer);
 
  private:
   // What a picture shows, fixed when it was exposed.
   struct Exposure {
+    std::shared_ptr<const Renderer> room;
     std::int64_t steps = 0;
     TableLoad load = TableLoad::kEmpty;
     bool operator==(const Exposure&) const = default;
@@ -47,12 +51,13 @@ class SimCamera final : public FrameSource {
 
   void exposeByTheClock(const std::stop_token& stop);
 
-  std::shared_ptr<const Renderer> renderer_;
+  const RigSettings rig_;
   std::shared_ptr<const Shaft> shaft_;
   SimClock clock_;
   std::atomic<TableLoad> load_{TableLoad::kEmpty};
 
-  std::mutex mutex_;  // guards queue_
+  std::mutex mutex_;  // guards renderer_ and queue_
+  std::shared_ptr<const Renderer> renderer_;
   std::condition_variable_any arrived_;
   std::deque<Exposure> queue_;
 

@@ -6,6 +6,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QRadioButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -73,6 +74,54 @@ TEST(ScanPanel, TellsThatAnotherFolderWasChosen) {
   changed.clear();
   QTest::keyClicks(folder, "/x");
   EXPECT_EQ(changed.back().at(0).toString(), "/x");
+}
+
+QPushButton* button(const ScanPanel& panel, const QString& text) {
+  for (QPushButton* candidate : panel.findChildren<QPushButton*>()) {
+    if (candidate->text() == text) return candidate;
+  }
+  return nullptr;
+}
+
+TEST(ScanPanel, OffersToGoOnWithAScanThatLacksViews) {
+  ScanPanel panel;
+  QPushButton* resume = button(panel, "Go on with this scan");
+  ScanFacts facts;
+  facts.views = 72;
+  facts.views_done = 20;
+  panel.showFacts(facts);
+  panel.showPhase(ScanPhase::kIdle);
+  EXPECT_FALSE(resume->isVisibleTo(&panel));  // nothing is connected
+  panel.showPhase(ScanPhase::kReady);
+  EXPECT_TRUE(resume->isVisibleTo(&panel));
+  facts.views_done = 72;
+  panel.showFacts(facts);
+  EXPECT_FALSE(resume->isVisibleTo(&panel));
+}
+
+TEST(ScanPanel, AsksForTrustAndTakesNoForAnAnswer) {
+  ScanPanel panel;
+  panel.showPhase(ScanPhase::kFailed);
+  QSignalSpy given(&panel, &ScanPanel::trustGiven);
+  panel.askTrust({Error::Code::kRejected, "The object was moved.", "Put it back."});
+  EXPECT_TRUE(shownTexts(panel).contains("The object was moved. Put it back."));
+  button(panel, "Do not go on")->click();
+  EXPECT_FALSE(shownTexts(panel).contains("moved"));
+  EXPECT_EQ(given.count(), 0);
+  panel.askTrust({Error::Code::kRejected, "The object was moved.", ""});
+  button(panel, "Go on anyway")->click();
+  EXPECT_EQ(given.count(), 1);
+  panel.askTrust({Error::Code::kRejected, "The object was moved.", ""});
+  panel.showPhase(ScanPhase::kScanning);  // another scan has begun
+  EXPECT_FALSE(shownTexts(panel).contains("The object was moved."));
+}
+
+TEST(ScanPanel, RemarksOnANumberOfViewsThatTheTableDoesNotHave) {
+  ScanPanel panel;
+  panel.showViewsRemark("Steps differ by one.");
+  EXPECT_TRUE(shownTexts(panel).contains("Steps differ by one."));
+  panel.showViewsRemark(QString());
+  EXPECT_FALSE(shownTexts(panel).contains("Steps differ"));
 }
 
 }  // namespace
