@@ -12,10 +12,22 @@
 #include <vector>
 
 #include "core/mesh/clean/clean_mesh.h"
+#include "core/mesh/clean/self_intersections.h"
 
 namespace gyre {
+namespace {
 
-SurfaceEditor::SurfaceEditor(QObject* parent) : QObject(parent), jobs_("gyre-clean") {
+constexpr int kCountPause_ms = 400;
+// A count cannot be stopped in its middle: of more triangles it would hold up the window's end.
+constexpr std::size_t kMostCounted = 500'000;
+
+}  // namespace
+
+SurfaceEditor::SurfaceEditor(QObject* parent)
+    : QObject(parent), jobs_("gyre-clean"), counts_("gyre-count") {
+  count_pause_.setSingleShot(true);
+  count_pause_.setInterval(kCountPause_ms);
+  connect(&count_pause_, &QTimer::timeout, this, &SurfaceEditor::countSelfIntersections);
   connect(&jobs_, &JobRunner::progressed, this, [this](double fraction, const QString& stage) {
     if (waits_) Q_EMIT previewProgressed(fraction, stage);
   });
@@ -169,9 +181,30 @@ void SurfaceEditor::setSide(EditSide side) {
 }
 
 void SurfaceEditor::tellState() {
+  counts_.requestStop();
+  count_pause_.stop();
+  const bool counts = now() != nullptr && !now()->health.self_intersections &&
+                      now()->mesh->triangles.size() <= kMostCounted;
+  if (counts) count_pause_.start();
   Q_EMIT stateChanged();
   Q_EMIT sceneChanged();
   Q_EMIT factsChanged(facts());
+}
+
+void SurfaceEditor::countSelfIntersections() {
+  auto found = std::make_shared<MeshHealth>();
+  counts_.start(
+      [mesh = now()->mesh, found](const Task& task) -> Result<void> {
+        const auto health = wholeHealth(*mesh, task);
+        if (!health) return health.error();
+        *found = *health;
+        return {};
+      },
+      [this, mesh = now()->mesh, found](const Result<void>& outcome) {
+        if (!outcome || now() == nullptr || now()->mesh != mesh) return;
+        history_.know(*found);
+        Q_EMIT healthKnown(*found);
+      });
 }
 
 EditFacts SurfaceEditor::facts() const {

@@ -8,6 +8,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 #include "app/job_runner.h"
 #include "app/surface_history.h"
@@ -15,6 +16,7 @@
 #include "core/mesh/clean/options.h"
 #include "core/scan/clean_report.h"
 #include "core/scan/mesh.h"
+#include "core/scan/mesh_health.h"
 #include "ui/facts.h"
 
 namespace gyre {
@@ -56,6 +58,8 @@ class SurfaceEditor final : public QObject {
 
  Q_SIGNALS:
   void stateChanged();  // now() is another
+  // Of now(), once its self-intersections have been counted, in a thread of their own.
+  void healthKnown(const gyre::MeshHealth& health);
   void sceneChanged();  // shown() is another
   void factsChanged(const gyre::EditFacts& facts);
   void previewBegun();
@@ -77,6 +81,7 @@ class SurfaceEditor final : public QObject {
   void previewDone(const Result<void>& outcome, std::optional<Preview> made);
   void endPreview();
   void tellState();
+  void countSelfIntersections();
   EditFacts facts() const;
 
   SurfaceHistory history_;
@@ -89,6 +94,8 @@ class SurfaceEditor final : public QObject {
   QString making_;
   EditSide side_ = EditSide::kAfter;
   JobRunner jobs_;
+  QTimer count_pause_;  // while a slider is dragged every surface is soon another
+  JobRunner counts_;
 };
 
 // "crop, smooth": the steps of a report that a person asked for.

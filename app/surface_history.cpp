@@ -46,6 +46,11 @@ void SurfaceHistory::replace(SurfaceState next) {
   add(std::move(next));
 }
 
+void SurfaceHistory::know(const MeshHealth& health) {
+  GYRE_CHECK(present_ < states_.size());
+  states_[present_].health = health;
+}
+
 bool SurfaceHistory::undo() {
   if (before() == nullptr) return false;
   --present_;

@@ -38,6 +38,9 @@ class SurfaceHistory {
   // being dragged. The first state is never replaced.
   void replace(SurfaceState next);
 
+  // What was found out about the present state. There is one.
+  void know(const MeshHealth& health);
+
   // False when there is nothing to go to.
   bool undo();
   bool redo();

@@ -60,6 +60,7 @@ void wireCleaning(WorkPage& page, ScanController& scans) {
 // The state that is exported, and the scene, which may show a preview or what was before.
 void wireStates(WorkPage& page, ScanController& scans) {
   SurfaceEditor* editor = &scans.editor();
+  QObject::connect(editor, &SurfaceEditor::healthKnown, page.mesh_panel, &MeshPanel::showHealth);
   QObject::connect(editor, &SurfaceEditor::stateChanged, &page, [&page, &scans, editor] {
     const SurfaceState* now = editor->now();
     const std::size_t triangles = now != nullptr ? now->mesh->triangles.size() : 0;

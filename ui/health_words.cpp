@@ -27,6 +27,11 @@ QString touchText(const MeshHealth& health) {
              : tr("⚠ touches itself at %1 edges or corners").arg(number(touches(health)));
 }
 
+QString crossingText(std::size_t pairs) {
+  return pairs == 0 ? tr("✓ passes through itself nowhere")
+                    : tr("⚠ passes through itself: %1 pairs of triangles").arg(number(pairs));
+}
+
 QString pieceText(const MeshHealth& health) {
   return health.components == 1 ? tr("✓ one piece")
                                 : tr("⚠ %1 pieces").arg(number(health.components));
@@ -75,6 +80,7 @@ QString healthText(const MeshHealth& health) {
       tr("%1 vertices, %2 triangles, %3")
           .arg(number(health.vertices), number(health.triangles), area(health.area_mm2)),
       closedText(health), touchText(health), pieceText(health)};
+  if (health.self_intersections) lines.insert(3, crossingText(*health.self_intersections));
   if (health.unseen_area_mm2 > 0.0) lines.append(unseenText(health));
   return lines.join('\n');
 }

@@ -67,6 +67,23 @@ TEST_F(SurfaceEditorTest, ShowsAPreviewThatIsNotYetTheSurface) {
   EXPECT_FALSE(report.after.closed);
 }
 
+TEST_F(SurfaceEditorTest, CountsTheSelfIntersectionsOfTheSurfaceThatStays) {
+  QSignalSpy known(&editor_, &SurfaceEditor::healthKnown);
+  begin();
+  begin(80);  // soon another: of the first nothing is told
+  ASSERT_TRUE(QTest::qWaitFor([&] { return known.count() > 0; }, kPatience_ms));
+  EXPECT_EQ(editor_.now()->health.self_intersections, 0U);
+  preview(cropTo(10.0));
+  EXPECT_FALSE(editor_.shownHealth().self_intersections);
+  editor_.apply();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return known.count() > 1; }, kPatience_ms));
+  EXPECT_EQ(editor_.now()->health.self_intersections, 0U);
+  editor_.undo();
+  EXPECT_EQ(editor_.now()->health.self_intersections, 0U);  // known already
+  QTest::qWait(600);
+  EXPECT_EQ(known.count(), 2);
+}
+
 TEST_F(SurfaceEditorTest, MakesOnlyTheNewestOfManyWishes) {
   begin(200);
   QSignalSpy made(&editor_, &SurfaceEditor::previewMade);

@@ -74,9 +74,11 @@ TEST(KilledScan, OpensAndResumesToTheSamePoints) {
   ASSERT_GT(points.size(), 1000U) << "exit code " << whole_code;
 
   const int kills = fromEnvironment("GYRE_KILLS", 6);
+  int begun = 0;
   Random random(7);
-  std::vector<int> resume_codes;  // 0 for a scan that was finished before it was killed
-  for (int i = 0; i < kills; ++i) {
+  std::vector<bool> finished;  // the points were there before it was killed: nothing may be left
+  // On a busy machine some are killed before they have begun: these do not count.
+  for (int i = 0; begun < kills && i < 4 * kills; ++i) {
     const double instant_s = random.uniform(0.0, whole_s);
     const fs::path folder = temp / ("cut" + std::to_string(i));
     const pid_t pid = start(scanWords(rig, folder));
@@ -84,18 +86,20 @@ TEST(KilledScan, OpensAndResumesToTheSamePoints) {
     kill(pid, SIGKILL);
     wait(pid);
     SCOPED_TRACE("killed after " + std::to_string(instant_s) + " s of " + std::to_string(whole_s));
-    resume_codes.push_back(whole_code);
-    if (!fs::exists(folder)) continue;  // it had not begun
+    finished.push_back(false);
+    if (!fs::exists(folder)) continue;
+    ++begun;
     const auto opened = ScanStore::open(folder);
     ASSERT_TRUE(opened) << opened.error().sentence();
     EXPECT_LE(picturesIn(folder), opened->views().size() + 1) << "more than the view in flight";
-    if (opened->complete() && fs::exists(folder / "points.ply")) resume_codes.back() = 0;
+    finished.back() = opened->complete() && fs::exists(folder / "points.ply");
   }
-  for (int i = 0; i < kills; ++i) {
+  EXPECT_EQ(begun, kills);
+  for (std::size_t i = 0; i < finished.size(); ++i) {
     const fs::path folder = temp / ("cut" + std::to_string(i));
     if (!fs::exists(folder)) continue;
-    EXPECT_EQ(wait(start({"resume", folder, "--sim-speed", "100", "--quiet"})),
-              resume_codes[static_cast<std::size_t>(i)]);
+    const int code = wait(start({"resume", folder, "--sim-speed", "100", "--quiet"}));
+    EXPECT_TRUE(code == whole_code || (finished[i] && code == 0)) << code;
     EXPECT_EQ(fileText(folder / "points.ply"), points) << folder;
   }
 }

@@ -32,6 +32,11 @@ TEST(HealthWords, SayWhatIsWellAndWhatIsNot) {
   EXPECT_TRUE(text.contains("✓ one piece"));
   EXPECT_TRUE(text.contains("50.0 cm²"));
   EXPECT_FALSE(text.contains("not seen"));
+  EXPECT_FALSE(text.contains("passes through itself"));  // nobody has looked
+  health.self_intersections = 0;
+  EXPECT_TRUE(healthText(health).contains("✓ passes through itself nowhere"));
+  health.self_intersections = 7;
+  EXPECT_TRUE(healthText(health).contains("⚠ passes through itself: 7 pairs"));
   health.closed = false;
   health.holes = 3;
   health.non_manifold_edges = 2;
