@@ -11,7 +11,6 @@
 #include "core/mesh/clean/blend.h"
 #include "core/mesh/clean/check_input.h"
 #include "core/mesh/clean/rim_slopes.h"
-#include "core/mesh/clean/surface_mesh.h"
 #include "core/mesh/clean/underside.h"
 #include "core/mesh/clean/underside_patches.h"
 #include "core/mesh/clean/unseen_patch.h"
@@ -36,36 +35,23 @@ double medianEdge_mm(const Mesh& mesh) {
 }
 
 // The mesh with what was shaped; all else keeps its numbers.
-Mesh shapedMesh(const Mesh& source, const UndersidePatches& underside) {
-  const UndersidePatches::SurfaceMesh& surface = underside.surface();
-  Mesh mesh = meshOf(surface);
+Mesh shapedMesh(const Mesh& source, const UndersidePatches& patches) {
+  auto [mesh, fixed, origins, triangles] = patches.surface();
   Mesh fresh;
   std::vector<std::uint32_t> numbers;  // of these in the mesh
-  std::vector<char> guessed;
-  std::uint32_t number = 0;
-  for (const auto vertex : surface.vertices()) {
-    const bool fixed = underside.isFixed(vertex);
-    const std::uint32_t origin = fixed ? underside.originOf(vertex) : VertexOrigins::kNone;
-    if (origin != VertexOrigins::kNone) {
-      mesh.vertices[number] = source.vertices[origin];
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (fixed[v] != 0 && origins[v] != VertexOrigins::kNone) {
+      mesh.vertices[v] = source.vertices[origins[v]];
     } else {
-      fresh.vertices.push_back(mesh.vertices[number]);
-      numbers.push_back(number);
-      guessed.push_back(fixed ? 0 : 1);
+      fresh.vertices.push_back(mesh.vertices[v]);
+      numbers.push_back(v);
     }
-    ++number;
   }
   carryAttributes(source, fresh);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const MeshVertex& vertex = fresh.vertices[i];
-    mesh.vertices[numbers[i]] =
-        guessed[i] != 0 ? unseenVertex(vertex.position, vertex.rgb) : vertex;
-  }
-  std::vector<std::uint32_t> triangles;
-  std::uint32_t triangle = 0;
-  for (const auto face : surface.faces()) {
-    if (underside.isIn(face)) triangles.push_back(triangle);
-    ++triangle;
+    const bool guessed = fixed[numbers[i]] == 0;
+    mesh.vertices[numbers[i]] = guessed ? unseenVertex(vertex.position, vertex.rgb) : vertex;
   }
   divideSeenTriangles(mesh, triangles);
   computeNormals(mesh);
@@ -96,10 +82,10 @@ CurvedUnderside curved(const Mesh& mesh, const std::vector<std::uint32_t>& trian
   const std::size_t allowed = divided.crossings().size();
   divided.divide();
   auto shaped = evened(divided, allowed);
-  if (!shaped || shaped->inner().empty() || task.stopRequested()) return {mesh};
+  if (!shaped || shaped->inner() == 0 || task.stopRequested()) return {mesh};
   const double bent_mm = shaped->bend(RimSlopes(mesh, triangles), allowed, task);
   if (!(bent_mm > 0.0)) return {mesh};
-  return {shapedMesh(mesh, *shaped), shaped->inner().size(), bent_mm};
+  return {shapedMesh(mesh, *shaped), shaped->inner(), bent_mm};
 }
 
 }  // namespace

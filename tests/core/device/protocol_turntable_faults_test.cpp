@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <stop_token>
+#include <string>
+#include <string_view>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -70,6 +73,23 @@ TEST_F(FaultsTest, OpensOverASplittingAndDelayingWire) {
       {}, Task());
   ASSERT_TRUE(table) << table.error().sentence();
   EXPECT_EQ((*table)->info().steps_per_turn, 3200.0);
+}
+
+TEST_F(FaultsTest, AfterASoftLimitTheBoardIsHeardAgain) {
+  const std::string_view settings = "$20=1\n$130=30\n";
+  {
+    const auto terminal = firmware_.openPort();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    ASSERT_TRUE(terminal->write(std::as_bytes(std::span(settings)), 1.0));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  const auto table = openClean();
+  const Result<void> moved = table->moveTo(radFromDeg(90.0), Task());
+  ASSERT_FALSE(moved);
+  EXPECT_EQ(moved.error().code, Code::kAlarm);
+  EXPECT_EQ(moved.error().sentence().find("may still be turning"), std::string::npos);
+  ASSERT_TRUE(table->setAngle(0.0));
+  EXPECT_TRUE(table->release());
 }
 
 TEST_P(FaultsTest, FewBytesLostNeverLoseAnAngle) {

@@ -22,7 +22,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 using Code = Error::Code;
 
 void sleepMilliseconds(int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); }
@@ -269,20 +268,6 @@ TEST_F(ProtocolTurntableTest, LimitSwitchIsAnAlarm) {
   EXPECT_THAT(table->info().lock, HasSubstr("has stopped by itself"));
   table->allowUnlock();
   EXPECT_TRUE(table->moveTo(radFromDeg(10.0), Task()));
-}
-
-TEST_F(ProtocolTurntableTest, SoftLimitIsAnAlarmAfterWhichTheBoardIsHeardAgain) {
-  configure("$20=1\n$130=30\n");
-  const auto table = open();
-  ASSERT_TRUE(table);
-  const double begin_s = steadySeconds();
-  const Result<void> moved = table->moveTo(radFromDeg(90.0), Task());
-  ASSERT_FALSE(moved);
-  EXPECT_EQ(moved.error().code, Code::kAlarm);
-  EXPECT_THAT(moved.error().sentence(), Not(HasSubstr("may still be turning")));
-  EXPECT_LT(20.0 * (steadySeconds() - begin_s), 10.0);
-  ASSERT_TRUE(table->setAngle(0.0));
-  EXPECT_TRUE(table->release());
 }
 
 TEST_F(ProtocolTurntableTest, HindrancesAreToldInWords) {
