@@ -28,15 +28,14 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 // The integrals over the triangles: of the gradients' products, and of each place's share of area.
 struct Elements {
-  Sparse stiffness;
+  std::vector<Eigen::Triplet<double>> stiffness;
   Eigen::VectorXd area;
 };
 
 Elements assemble(const Plate& plate) {
-  const auto count = static_cast<Eigen::Index>(plate.places.size());
-  Elements elements{Sparse(count, count), Eigen::VectorXd::Zero(count)};
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(9 * plate.triangles.size());
+  Elements elements;
+  elements.area.setZero(static_cast<Eigen::Index>(plate.places.size()));
+  elements.stiffness.reserve(9 * plate.triangles.size());
   for (const Triangle& triangle : plate.triangles) {
     std::array<Eigen::Vector2d, 3> opposite;
     double longest = 0.0;
@@ -49,11 +48,11 @@ Elements assemble(const Plate& plate) {
     for (std::size_t i = 0; i < 3; ++i) {
       elements.area[triangle[i]] += area / 3.0;
       for (std::size_t k = 0; k < 3; ++k) {
-        entries.emplace_back(triangle[i], triangle[k], opposite[i].dot(opposite[k]) / (4.0 * area));
+        elements.stiffness.emplace_back(triangle[i], triangle[k],
+                                        opposite[i].dot(opposite[k]) / (4.0 * area));
       }
     }
   }
-  elements.stiffness.setFromTriplets(entries.begin(), entries.end());
   return elements;
 }
 
@@ -112,12 +111,15 @@ std::optional<std::vector<double>> plateHeights(const Plate& plate) {
   for (std::size_t i = 0; i < count; ++i) {
     if (column[i] >= 0) picked.emplace_back(static_cast<Eigen::Index>(i), column[i], 1.0);
   }
-  Sparse pick(static_cast<Eigen::Index>(count), unknowns);
+  const auto rows = static_cast<Eigen::Index>(count);
+  Sparse stiffness(rows, rows);
+  stiffness.setFromTriplets(elements.stiffness.begin(), elements.stiffness.end());
+  Sparse pick(rows, unknowns);
   pick.setFromTriplets(picked.begin(), picked.end());
-  const Sparse free = elements.stiffness * pick;
+  const Sparse free = stiffness * pick;
   const Sparse weighted = weights.asDiagonal() * free;
   const Sparse normal = Sparse(free.transpose()) * weighted;
-  const Eigen::VectorXd asked = rim.flow - elements.stiffness * heights;
+  const Eigen::VectorXd asked = rim.flow - stiffness * heights;
   const Eigen::SimplicialLDLT<Sparse> solver(normal);
   if (solver.info() != Eigen::Success) return std::nullopt;
   const Eigen::VectorXd solved = solver.solve(weighted.transpose() * asked);
