@@ -144,9 +144,10 @@ void GrblBoard::hear(char c, double time_s) {
   if (boots_at_s_) return;
   if (c == kSoftReset) {
     softReset(time_s);
-  } else if (needs_reset_) {
     return;
-  } else if (c == '?') {
+  }
+  if (needs_reset_) return;
+  if (c == '?') {
     say(statusReport());
   } else if (asleep_ || (alarm_ && controls_motion)) {
     return;
