@@ -27,8 +27,8 @@ struct MergedModel {
 };
 
 // Merges what the results are made of, in this order, into a new folder beside the first pass, such
-// as "duck-merged". Each may itself be merged. The passes are only read. When it fails, and when
-// stopped, no folder is left. Any thread.
+// as "duck-merged". Each may itself be merged. The passes are only read. When merging fails, or is
+// stopped in its middle, no folder is left. Any thread.
 Result<MergedModel> mergeResults(const std::vector<std::filesystem::path>& results,
                                  const Task& task);
 

@@ -13,6 +13,8 @@
 #include "app/cli/subcommands.h"
 #include "app/version.h"
 #include "core/base/formatted.h"
+#include "core/mesh/clean/self_intersections.h"
+#include "core/mesh/mesh_health.h"
 #include "core/pipeline/merge/merge_passes.h"
 
 namespace gyre {
@@ -46,7 +48,11 @@ int run(const Words& words, Console& console, const Task& task) {
   tell(console, *merged);
   console.say(std::to_string(merged->cloud.points.size()) + " points are in " + words.out + ".");
   if (merged->mesh_problem) return console.fail(*merged->mesh_problem);
-  return tellMesh(console, {merged->mesh, MeshMethod::kClosed, 0.0}, {}, 0.0, task);
+  // All is written: a stop now only leaves the self-intersections uncounted.
+  const auto health = wholeHealth(merged->mesh, task);
+  tellMesh(console, {merged->mesh, MeshMethod::kClosed, 0.0},
+           health ? *health : meshHealth(merged->mesh), {}, 0.0);
+  return kDone;
 }
 
 }  // namespace

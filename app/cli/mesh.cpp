@@ -21,6 +21,7 @@
 #include "core/io/model_label.h"
 #include "core/io/model_writer.h"
 #include "core/mesh/clean/clean_mesh.h"
+#include "core/mesh/clean/self_intersections.h"
 #include "core/pipeline/colour_mesh.h"
 #include "core/pipeline/make_mesh.h"
 #include "core/pipeline/report_page.h"
@@ -111,11 +112,13 @@ int run(const Words& words, Console& console, const Task& task) {
   }
   const auto coloured = colour(made->mesh, words, made->method, *input, task.part(0.8, 0.95));
   if (!coloured) return console.fail(coloured.error());
+  const auto health = wholeHealth(made->mesh, task.part(0.95, 1.0));
+  if (!health) return console.fail(health.error());
   const auto written = writeModel(words.out, made->mesh, labelOfScan(words.input));
   if (!written) return console.fail(written.error());
   if (const auto told = refreshPage(words, input->folder); !told) return console.fail(told.error());
-  return tellMesh(console, *made, cleaned, movedAlongZ_mm(words.out, made->mesh),
-                  task.part(0.95, 1.0));
+  tellMesh(console, *made, *health, cleaned, movedAlongZ_mm(words.out, made->mesh));
+  return kDone;
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "core/base/formatted.h"
-#include "core/mesh/clean/self_intersections.h"
 
 namespace gyre {
 namespace {
@@ -72,18 +71,15 @@ std::string stepText(const CleanStep& step) {
 
 }  // namespace
 
-int tellMesh(Console& console, const MadeMesh& made, const std::optional<CleanReport>& cleaned,
-             double moved_mm, const Task& task) {
-  const auto health = wholeHealth(made.mesh, task);
-  if (!health) return console.fail(health.error());
+void tellMesh(Console& console, const MadeMesh& made, const MeshHealth& health,
+              const std::optional<CleanReport>& cleaned, double moved_mm) {
   if (cleaned) {
     for (const CleanStep& step : cleaned->steps) console.say(stepText(step));
   }
-  console.say(methodText(made) + ": " + healthText(*health));
+  console.say(methodText(made) + ": " + healthText(health));
   if (std::abs(moved_mm) >= kToldMove_mm) {
     console.say(formatted("Moved by %.3f mm along z to stand on the bed.", moved_mm));
   }
-  return kDone;
 }
 
 }  // namespace gyre

@@ -78,7 +78,11 @@ int failScan(Console& console, const ScanStore& store, const Error& error) {
   } else {
     console.warn(std::to_string(store.views().size()) + " of " +
                  std::to_string(store.settings().views) + " views are kept; `gyre resume " +
-                 folder + "` goes on. The motor stays on, so that the table stays where it is.");
+                 folder + "` goes on.");
+    const bool by_hand = store.settings().turntable.starts_with("hand");
+    if (error.code == Error::Code::kCancelled && !by_hand) {
+      console.warn("The motor was not let go of, so that the table stays where it is.");
+    }
   }
   return code;
 }
