@@ -23,13 +23,6 @@ Eigen::Vector3d doubleArea(const Mesh& mesh, const Triangle& triangle) {
   return (mesh.vertices[b].position - first).cross(mesh.vertices[c].position - first);
 }
 
-std::vector<Triangle> pick(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
-  std::vector<Triangle> picked;
-  picked.reserve(triangles.size());
-  for (const std::uint32_t t : triangles) picked.push_back(mesh.triangles[t]);
-  return picked;
-}
-
 // Of triangles that hang together by edges.
 struct Patch {
   std::vector<std::uint32_t> triangles;
@@ -40,7 +33,7 @@ struct Patch {
 std::vector<Patch> patchesOf(const Mesh& mesh, const std::vector<std::uint32_t>& triangles,
                              double below_mm) {
   DisjointSets sets(triangles.size());
-  const std::vector<EdgeUse> uses = edgeUses(pick(mesh, triangles));
+  const std::vector<EdgeUse> uses = edgeUses(cornersOf(mesh, triangles));
   forEachEdge(uses, [&](auto begin, auto end) {
     for (auto use = begin; use != end; ++use) sets.join(begin->triangle, use->triangle);
   });
@@ -77,13 +70,13 @@ bool dropPinched(const Mesh& mesh, std::vector<std::uint32_t>& triangles) {
 
 std::vector<DirectedEdge> rimOf(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
   std::vector<DirectedEdge> rim;
-  const std::vector<EdgeUse> uses = edgeUses(pick(mesh, triangles));
+  const std::vector<EdgeUse> uses = edgeUses(cornersOf(mesh, triangles));
   forEachEdge(uses, [&](auto begin, auto end) {
     if (end - begin != 1) return;
     if (begin->forward) {
-      rim.push_back({begin->low, begin->high});
+      rim.push_back({begin->low, begin->high, begin->triangle});
     } else {
-      rim.push_back({begin->high, begin->low});
+      rim.push_back({begin->high, begin->low, begin->triangle});
     }
   });
   return rim;
@@ -107,8 +100,19 @@ std::vector<std::uint32_t> baseFacets(const Mesh& mesh,
   }
   if (low_mm2 < high_mm2) return {};
   std::sort(base.begin(), base.end());
-  while (dropPinched(mesh, base)) continue;
   return base;
+}
+
+std::vector<std::uint32_t> withoutPinched(const Mesh& mesh, std::vector<std::uint32_t> triangles) {
+  while (dropPinched(mesh, triangles)) continue;
+  return triangles;
+}
+
+std::vector<Triangle> cornersOf(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  std::vector<Triangle> corners;
+  corners.reserve(triangles.size());
+  for (const std::uint32_t t : triangles) corners.push_back(mesh.triangles[t]);
+  return corners;
 }
 
 }  // namespace gyre

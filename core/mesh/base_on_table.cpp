@@ -10,6 +10,7 @@
 #include "core/base/median.h"
 #include "core/mesh/base_facets.h"
 #include "core/mesh/unseen_facets.h"
+#include "core/mesh/vertex_fans.h"
 
 namespace gyre {
 namespace {
@@ -17,6 +18,8 @@ namespace {
 // Of the object's size: nothing is seen of a base so near to the table.
 constexpr double kBlindShare = 0.025;
 constexpr double kLowestQuantile = 0.002;
+constexpr double kIntoFan =
+    0.1;  // of the way to the middle of a fan, where two fans meet in a vertex
 constexpr double kBelowSpacings = 0.25;  // what reaches farther below is no noise: no table there
 
 double lowestOf(const Mesh& mesh) {
@@ -28,6 +31,86 @@ double lowestOf(const Mesh& mesh) {
   std::nth_element(heights.begin(), at, heights.end());
   return *at;
 }
+
+// Puts the corners of base triangles on feet in the table and walls between both.
+class BaseLowering {
+ public:
+  BaseLowering(Mesh& mesh, std::vector<double>& spacing_mm, const std::vector<std::uint32_t>& base)
+      : mesh_(mesh),
+        spacing_mm_(spacing_mm),
+        base_(base),
+        corners_(cornersOf(mesh, base)),
+        rim_(rimOf(mesh, base)),
+        fans_(findFans(corners_)) {}
+
+  void lower() {
+    placeFeet();
+    for (std::size_t i = 0; i < base_.size(); ++i) {
+      for (std::size_t place = 0; place < 3; ++place) {
+        mesh_.triangles[base_[i]][place] = foot_[fans_.of_corner[3 * i + place]];
+      }
+    }
+    for (const DirectedEdge& edge : rim_) {
+      const std::uint32_t from_foot = foot_[fans_.at(corners_, edge.of, edge.from)];
+      const std::uint32_t to_foot = foot_[fans_.at(corners_, edge.of, edge.to)];
+      if (to_foot != edge.to) mesh_.triangles.push_back({edge.from, edge.to, to_foot});
+      if (from_foot != edge.from) mesh_.triangles.push_back({edge.from, to_foot, from_foot});
+    }
+  }
+
+ private:
+  // One for each fan: where the base meets itself in a vertex its parts stand on feet of their own,
+  // each a little into its part, or the walls would touch. A vertex in the table is its own foot.
+  void placeFeet() {
+    std::unordered_map<std::uint32_t, int> fans_at;
+    for (const std::uint32_t vertex : fans_.vertex) ++fans_at[vertex];
+    const std::vector<Eigen::Vector2d> inward = inwardOfFans();
+    for (std::size_t fan = 0; fan < fans_.vertex.size(); ++fan) {
+      const std::uint32_t vertex = fans_.vertex[fan];
+      const bool alone = fans_at[vertex] == 1;
+      if (alone && mesh_.vertices[vertex].position.z() == 0.0) {
+        foot_.push_back(vertex);
+        continue;
+      }
+      MeshVertex foot = mesh_.vertices[vertex];
+      foot.position.z() = 0.0;
+      if (!alone) foot.position.head<2>() += kIntoFan * inward[fan];
+      foot.views = 0;
+      foot.seen = 0;
+      foot_.push_back(static_cast<std::uint32_t>(mesh_.vertices.size()));
+      mesh_.vertices.push_back(foot);
+      spacing_mm_.push_back(spacing_mm_[vertex]);
+    }
+  }
+
+  // From each fan's vertex to the middle of its triangles' middles, seen from above. [mm]
+  std::vector<Eigen::Vector2d> inwardOfFans() const {
+    std::vector<Eigen::Vector2d> inward(fans_.vertex.size(), Eigen::Vector2d::Zero());
+    std::vector<double> count(fans_.vertex.size(), 0.0);
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+      for (const std::uint32_t corner : corners_[i]) middle += flat(corner) / 3.0;
+      for (std::size_t place = 0; place < 3; ++place) {
+        const std::uint32_t fan = fans_.of_corner[3 * i + place];
+        inward[fan] += middle - flat(corners_[i][place]);
+        count[fan] += 1.0;
+      }
+    }
+    for (std::size_t fan = 0; fan < inward.size(); ++fan) inward[fan] /= count[fan];
+    return inward;
+  }
+  Eigen::Vector2d flat(std::uint32_t vertex) const {
+    return mesh_.vertices[vertex].position.head<2>();
+  }
+
+  Mesh& mesh_;
+  std::vector<double>& spacing_mm_;
+  const std::vector<std::uint32_t>& base_;
+  const std::vector<Triangle> corners_;  // of the base, as they were
+  const std::vector<DirectedEdge> rim_;
+  const VertexFans fans_;
+  std::vector<std::uint32_t> foot_;  // the vertex each fan stands on
+};
 
 }  // namespace
 
@@ -44,29 +127,7 @@ void restOnTable(Mesh& mesh, std::vector<double>& spacing_mm) {
     return isWideFacet(mesh, spacing_mm, triangle);
   };
   const std::vector<std::uint32_t> base = baseFacets(mesh, is_wide, blind_mm);
-  const std::vector<DirectedEdge> rim = rimOf(mesh, base);
-
-  std::unordered_map<std::uint32_t, std::uint32_t> foot_of;
-  const auto foot_at = [&](std::uint32_t vertex) {
-    const auto [found, fresh] =
-        foot_of.try_emplace(vertex, static_cast<std::uint32_t>(mesh.vertices.size()));
-    if (fresh) {
-      MeshVertex foot = mesh.vertices[vertex];
-      foot.position.z() = 0.0;
-      foot.views = 0;
-      foot.seen = 0;
-      mesh.vertices.push_back(foot);
-      spacing_mm.push_back(spacing_mm[vertex]);
-    }
-    return found->second;
-  };
-  for (const std::uint32_t i : base) {
-    for (std::uint32_t& corner : mesh.triangles[i]) corner = foot_at(corner);
-  }
-  for (const auto& [from, to] : rim) {
-    mesh.triangles.push_back({from, to, foot_at(to)});
-    mesh.triangles.push_back({from, foot_at(to), foot_at(from)});
-  }
+  BaseLowering(mesh, spacing_mm, base).lower();
 }
 
 }  // namespace gyre

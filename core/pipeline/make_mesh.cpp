@@ -6,6 +6,7 @@
 #include "core/mesh/adaptive_alpha.h"
 #include "core/mesh/alpha_shape.h"
 #include "core/mesh/clean/curve_underside.h"
+#include "core/mesh/clean/mend_self_intersections.h"
 #include "core/mesh/clean/poisson.h"
 #include "core/mesh/clean/wrap.h"
 #include "core/mesh/vertex_colours.h"
@@ -30,14 +31,18 @@ Result<MadeMesh> byAlphaShape(const PointCloud& cloud, const AlphaShapeOptions& 
   return MadeMesh{std::move(shape->mesh), MeshMethod::kAlpha, shape->alpha_mm};
 }
 
-// The cut; a part of the underside that it could only guess is bent as the surface around it.
+// The cut; a part of the underside that it could only guess is bent as the surface around it, and
+// where guessed parts pass through others these are mended. What neither can do stays as it was.
 Result<MadeMesh> byCut(const PointCloud& cloud, const SightEvidence& sights,
                        const VisibilityCutOptions& options, const Task& task) {
-  auto cut = visibilityCut(cloud, sights, options, task.part(0.0, 0.95));
+  auto cut = visibilityCut(cloud, sights, options, task.part(0.0, 0.9));
   if (!cut) return cut.error();
-  auto shaped = curveUnderside(cut->mesh, task.part(0.95, 1.0));
+  auto shaped = curveUnderside(cut->mesh, task.part(0.9, 0.95));
   if (!shaped && shaped.error().code == Error::Code::kCancelled) return shaped.error();
-  return MadeMesh{std::move(shaped ? shaped->mesh : cut->mesh), MeshMethod::kClosed, 0.0};
+  Mesh& mesh = shaped ? shaped->mesh : cut->mesh;
+  auto mended = mendSelfIntersections(mesh, task.part(0.95, 1.0));
+  if (!mended && mended.error().code == Error::Code::kCancelled) return mended.error();
+  return MadeMesh{std::move(mended ? mended->mesh : mesh), MeshMethod::kClosed, 0.0};
 }
 
 Result<MadeMesh> byOutlines(const PointCloud& cloud, const SightEvidence& sights,

@@ -199,7 +199,8 @@ void openGuessedBase(Mesh& mesh, const BaseCapOptions& options) {
     return std::any_of(triangle.begin(), triangle.end(),
                        [&](std::uint32_t corner) { return mesh.vertices[corner].seen == 0; });
   };
-  const auto base = baseFacets(mesh, is_unseen, options.z_mm + options.tolerance_mm);
+  const auto base =
+      withoutPinched(mesh, baseFacets(mesh, is_unseen, options.z_mm + options.tolerance_mm));
   std::vector<Triangle> kept;
   kept.reserve(mesh.triangles.size() - base.size());
   auto next = base.begin();
