@@ -21,6 +21,9 @@ buildJobs() {
   echo $(( cores < by_memory ? cores : by_memory ))
 }
 
+# Where ccache compiles it hits across checkouts, and with precompiled headers.
+export CCACHE_BASEDIR=$gyre_root CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+
 # configure PRESET [cmake options...]: quiet when all is well, whole when it fails.
 configure() {
   local preset=$1 log
@@ -28,8 +31,6 @@ configure() {
   log=$(mktemp)
   if command -v ccache >/dev/null && [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER:-} ]]; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CMAKE_C_COMPILER_LAUNCHER=ccache
-    # Hits across checkouts, and with precompiled headers.
-    export CCACHE_BASEDIR=$gyre_root CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
   fi
   if ! (cd "$gyre_root" && cmake --preset "$preset" "$@") >"$log" 2>&1; then
     cat "$log" >&2

@@ -1,8 +1,8 @@
 # gyre_add_test(FOLDER NAME LINK targets... LABELS labels... [SOURCES extra files...])
 # builds tests/FOLDER/NAME_test.cpp with GoogleTest and registers it as FOLDER/NAME.
-# Labels decide how it runs: `scenario`, `ui`, `gl` and `long` get the machine to themselves, for they
-# use all cores or watch the clock; `ui` draws without a screen; `data` may be skipped for want of it,
-# `pty` for want of pseudo terminals.
+# Labels decide how it runs: `clock`, `gl` and `long` get the machine to themselves, for they watch
+# the clock; `scenario` goes first, for it takes longest; `ui` draws without a screen; `data` may be
+# skipped for want of it, `pty` for want of pseudo terminals.
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
 endif()
@@ -20,12 +20,18 @@ function(gyre_add_test folder name)
   add_test(NAME ${folder}/${name} COMMAND ${target})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
+    if("scenario" IN_LIST arg_LABELS)
+      set(arg_TIMEOUT 360)
+    endif()
   endif()
   if(GYRE_SANITIZE)  # pictures are rendered and searched some ten times slower then
     math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * 8")
   endif()
   set_tests_properties(${folder}/${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT})
-  foreach(label IN ITEMS scenario ui gl long)
+  if("scenario" IN_LIST arg_LABELS)
+    set_tests_properties(${folder}/${name} PROPERTIES COST 100)
+  endif()
+  foreach(label IN ITEMS clock gl long)
     if(label IN_LIST arg_LABELS)
       set_tests_properties(${folder}/${name} PROPERTIES RUN_SERIAL ON)
     endif()
