@@ -149,8 +149,9 @@ Result<ScanSessionResult> runScanSession(Rig& rig, const ScanPlan& plan,
   return ScanSessionResult{std::move(reconstruction).value(), std::move(results).value(), problem};
 }
 
-Result<OpenedModel> openScanOrModel(const std::filesystem::path& path, const Task& task) {
+Result<OpenedModel> openScanOrModel(const std::filesystem::path& named, const Task& task) {
   OpenedModel opened;
+  const std::filesystem::path path = named.filename() == kPassesFile ? named.parent_path() : named;
   std::filesystem::path points = path;
   std::filesystem::path mesh;
   std::error_code ignored;

@@ -61,9 +61,9 @@ struct OpenedModel {
   int views_done = 0;
 };
 
-// Reads a scan's folder or .gyre file with the results beside it, the folder of another result, or
-// a .ply, .obj or .stl.
-Result<OpenedModel> openScanOrModel(const std::filesystem::path& path, const Task& task);
+// Reads a scan's folder or .gyre file with the results beside it, the folder of another result (of
+// merged passes also by its passes.json), or a .ply, .obj or .stl.
+Result<OpenedModel> openScanOrModel(const std::filesystem::path& named, const Task& task);
 
 // Half of the points are surer than this; nothing when there are none. [mm]
 std::optional<double> medianSigmaMm(const PointCloud& cloud);

@@ -151,7 +151,7 @@ void MainWindow::showPhase(ScanPhase phase) {
 void MainWindow::askOpen() {
   const QString path = QFileDialog::getOpenFileName(
       this, tr("Open"), QString(),
-      tr("Scans and models (*.gyre *.ply *.obj *.stl);;All files (*)"));
+      tr("Scans and models (*.gyre passes.json *.ply *.obj *.stl);;All files (*)"));
   if (!path.isEmpty()) Q_EMIT openRequested(path);
 }
 

@@ -193,7 +193,8 @@ TEST_F(PassesWindow, MergesWithAFolderThatIsChosenAndOpensItAgain) {
   EXPECT_EQ(merged, fs::path(at("over-merged")));
   open(at("over"));
   EXPECT_FALSE(told().contains("overlaps"));
-  open(merged.string());
+  open((merged / "passes.json").string());  // as the dialog of "Open…" gives it
+  EXPECT_EQ(controller().folder(), merged);
   EXPECT_TRUE(told().contains("upright: it overlaps by"));
   EXPECT_TRUE(controller().calibration().has_value());
   EXPECT_EQ(passesOf(merged), (std::vector<fs::path>{at("over"), at("upright")}));
