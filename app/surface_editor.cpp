@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/mesh/clean/clean_mesh.h"
 #include "core/mesh/clean/self_intersections.h"
 
 namespace gyre {
@@ -91,9 +90,9 @@ void SurfaceEditor::startPreview() {
   running_ = true;
   auto made = std::make_shared<std::optional<Preview>>();
   jobs_.start(
-      [base = *now(), options = *std::exchange(wish_, std::nullopt),
+      [base = *now(), options = *std::exchange(wish_, std::nullopt), clean_up = clean_up_,
        made](const Task& task) -> Result<void> {
-        auto cleaned = cleanMesh(*base.mesh, options, task);
+        auto cleaned = clean_up->run(base.mesh, options, task);
         if (!cleaned) return cleaned.error();
         Preview& preview = made->emplace();
         preview.state = {std::make_shared<const Mesh>(std::move(cleaned->mesh)),
@@ -181,6 +180,7 @@ void SurfaceEditor::setSide(EditSide side) {
 }
 
 void SurfaceEditor::tellState() {
+  clean_up_ = std::make_shared<RepeatedCleanUp>();
   counts_.requestStop();
   count_pause_.stop();
   const bool counts = now() != nullptr && !now()->health.self_intersections &&

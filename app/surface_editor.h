@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "app/job_runner.h"
 #include "app/surface_history.h"
 #include "core/base/result.h"
+#include "core/mesh/clean/clean_mesh.h"
 #include "core/mesh/clean/options.h"
 #include "core/scan/clean_report.h"
 #include "core/scan/mesh.h"
@@ -91,6 +93,7 @@ class SurfaceEditor final : public QObject {
   bool running_ = false;
   bool apply_when_made_ = false;
   std::uint64_t wish_number_ = 0;
+  std::shared_ptr<RepeatedCleanUp> clean_up_;  // of now(); used in the thread of previews alone
   QString making_;
   EditSide side_ = EditSide::kAfter;
   JobRunner jobs_;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/clean/clean_mesh.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,28 +47,38 @@ CleanOptions linked(CleanOptions options) {
   return options;
 }
 
+CleanedMesh begun(const Mesh& mesh) {
+  CleanedMesh cleaned;
+  cleaned.mesh = mesh;
+  cleaned.report.before = meshHealth(mesh);
+  return cleaned;
+}
+
 class Cleaner {
  public:
-  Cleaner(const Mesh& mesh, const CleanOptions& options, const Task& task)
-      : options_(linked(options)), task_(task) {
-    cleaned_.mesh = mesh;
-    cleaned_.report.before = meshHealth(mesh);
+  // options: linked. state: as the steps before the first one to be run left it.
+  Cleaner(CleanedMesh state, const CleanOptions& options, const Task& task)
+      : options_(options), task_(task), cleaned_(std::move(state)) {}
+
+  // The first step, up to `end`, that does something else by one than by the other linked options.
+  static std::size_t firstOther(const CleanOptions& a, const CleanOptions& b, std::size_t end) {
+    std::size_t step = 0;
+    while (step < end && kSteps[step].same(a, b)) ++step;
+    return step;
   }
 
-  Result<CleanedMesh> run() {
-    using Step = Result<void> (Cleaner::*)(const Task&);
-    constexpr Step kSteps[] = {&Cleaner::merge,    &Cleaner::dropSmallPieces,
-                               &Cleaner::split,    &Cleaner::orient,
-                               &Cleaner::crop,     &Cleaner::fill,
-                               &Cleaner::cap,      &Cleaner::smooth,
-                               &Cleaner::decimate, &Cleaner::remesh};
-    const double all = std::size(kSteps);
-    double done = 0.0;
-    for (const Step step : kSteps) {
+  // After each step calls noteStep(step, what the steps made so far).
+  template <class NoteStep>
+  Result<CleanedMesh> run(std::size_t first_step, const NoteStep& noteStep) {
+    constexpr double kAll = kCleanSteps;
+    for (std::size_t step = first_step; step < kCleanSteps; ++step) {
       if (task_.stopRequested()) return cancelled();
-      const Task part = task_.part(done / all, (done + 1.0) / all);
-      if (const Result<void> stepped = (this->*step)(part); !stepped) return stepped.error();
-      ++done;
+      const auto done = static_cast<double>(step);
+      const Task part = task_.part(done / kAll, (done + 1.0) / kAll);
+      if (const Result<void> stepped = (this->*kSteps[step].make)(part); !stepped) {
+        return stepped.error();
+      }
+      noteStep(step, cleaned_);
     }
     computeNormals(cleaned_.mesh);
     cleaned_.report.after = meshHealth(cleaned_.mesh);
@@ -73,6 +86,13 @@ class Cleaner {
   }
 
  private:
+  using Options = CleanOptions;
+  struct Step {
+    Result<void> (Cleaner::*make)(const Task&);
+    bool (*same)(const Options& a, const Options& b);  // its own options
+  };
+  static const std::array<Step, kCleanSteps> kSteps;
+
   // Takes over what a step made and notes what it did.
   void take(const std::string& name, Mesh made, Figures figures) {
     cleaned_.report.steps.push_back(
@@ -194,6 +214,27 @@ class Cleaner {
   CleanedMesh cleaned_;
 };
 
+const std::array<Cleaner::Step, kCleanSteps> Cleaner::kSteps = {{
+    {&Cleaner::merge, [](const Options& a, const Options& b) { return a.merge == b.merge; }},
+    {&Cleaner::dropSmallPieces,
+     [](const Options& a, const Options& b) {
+       return a.min_component_share == b.min_component_share;
+     }},
+    {&Cleaner::split,
+     [](const Options& a, const Options& b) {
+       return a.split_non_manifold == b.split_non_manifold;
+     }},
+    {&Cleaner::orient, [](const Options& a, const Options& b) { return a.orient == b.orient; }},
+    {&Cleaner::crop, [](const Options& a, const Options& b) { return a.crop == b.crop; }},
+    {&Cleaner::fill, [](const Options& a, const Options& b) { return a.holes == b.holes; }},
+    {&Cleaner::cap, [](const Options& a,
+                       const Options& b) { return a.base_cap == b.base_cap && a.base == b.base; }},
+    {&Cleaner::smooth, [](const Options& a, const Options& b) { return a.smooth == b.smooth; }},
+    {&Cleaner::decimate,
+     [](const Options& a, const Options& b) { return a.decimate == b.decimate; }},
+    {&Cleaner::remesh, [](const Options& a, const Options& b) { return a.remesh == b.remesh; }},
+}};
+
 }  // namespace
 
 bool changesShape(const CleanOptions& options) {
@@ -205,7 +246,30 @@ bool changesShape(const CleanOptions& options) {
 Result<CleanedMesh> cleanMesh(const Mesh& mesh, const CleanOptions& options, const Task& task) {
   if (const Result<void> valid = options.validate(); !valid) return valid.error();
   if (const Result<void> checked = checkMesh(mesh); !checked) return checked.error();
-  return Cleaner(mesh, options, task).run();
+  return Cleaner(begun(mesh), linked(options), task).run(0, [](std::size_t, const CleanedMesh&) {});
+}
+
+Result<CleanedMesh> RepeatedCleanUp::run(const MeshPtr& mesh, const CleanOptions& options,
+                                         const Task& task) {
+  if (const Result<void> valid = options.validate(); !valid) return valid.error();
+  if (mesh != mesh_) {
+    if (const Result<void> checked = checkMesh(*mesh); !checked) return checked.error();
+    after_ = {};
+    begun_ = std::make_shared<const CleanedMesh>(begun(*mesh));
+    mesh_ = mesh;
+  }
+  const CleanOptions wanted = linked(options);
+  const auto made =
+      static_cast<std::size_t>(std::find(after_.begin(), after_.end(), nullptr) - after_.begin());
+  const std::size_t first = Cleaner::firstOther(wanted, options_, made);
+  std::fill(after_.begin() + static_cast<std::ptrdiff_t>(first), after_.end(), nullptr);
+  options_ = wanted;
+  CleanedPtr last = first == 0 ? begun_ : after_[first - 1];
+  return Cleaner(*last, wanted, task).run(first, [&](std::size_t step, const CleanedMesh& now) {
+    const bool changed = now.report.steps.size() != last->report.steps.size();
+    if (changed) last = std::make_shared<const CleanedMesh>(now);
+    after_[step] = last;
+  });
 }
 
 }  // namespace gyre

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <memory>
+
 #include "core/base/result.h"
 #include "core/base/task.h"
 #include "core/mesh/clean/options.h"
@@ -26,5 +30,23 @@ bool changesShape(const CleanOptions& options);
 // seen; normals are the mesh's. The input is unchanged, and the same for the same options.
 // Fails in words as the steps do, and when a step leaves nothing of the mesh.
 Result<CleanedMesh> cleanMesh(const Mesh& mesh, const CleanOptions& options, const Task& task);
+
+inline constexpr std::size_t kCleanSteps = 10;
+
+// Gives what cleanMesh gives, and remembers what each step made: the next clean-up of the same mesh
+// begins at the first step whose options are others, as when somebody drags a slider. Keeps up to
+// one mesh for each step. One thread at a time.
+class RepeatedCleanUp {
+ public:
+  Result<CleanedMesh> run(const MeshPtr& mesh, const CleanOptions& options, const Task& task);
+
+ private:
+  using CleanedPtr = std::shared_ptr<const CleanedMesh>;
+
+  MeshPtr mesh_;
+  CleanedPtr begun_;  // before the first step
+  CleanOptions options_;
+  std::array<CleanedPtr, kCleanSteps> after_;  // null from where the last clean-up did not come to
+};
 
 }  // namespace gyre

@@ -16,6 +16,7 @@ struct MergeOptions {
           within_mm);
   }
   Result<void> validate() const { return validateRanges(*this); }
+  bool operator==(const MergeOptions&) const = default;
 };
 
 // Coordinates at which nothing is cut off: no scan reaches so far. [mm]
@@ -48,6 +49,7 @@ struct CropOptions {
     limit("z-max", "What lies above this height over the platter is cut off.", z_max_mm);
   }
   Result<void> validate() const { return validateRanges(*this); }
+  bool operator==(const CropOptions&) const = default;
 };
 
 struct FillHolesOptions {
@@ -66,6 +68,7 @@ struct FillHolesOptions {
         spare_below_mm);
   }
   Result<void> validate() const { return validateRanges(*this); }
+  bool operator==(const FillHolesOptions&) const = default;
 };
 
 struct BaseCapOptions {
@@ -82,6 +85,7 @@ struct BaseCapOptions {
           tolerance_mm);
   }
   Result<void> validate() const { return validateRanges(*this); }
+  bool operator==(const BaseCapOptions&) const = default;
 };
 
 struct SmoothOptions {
@@ -108,6 +112,7 @@ struct SmoothOptions {
           hold_z_mm);
   }
   Result<void> validate() const { return validateRanges(*this); }
+  bool operator==(const SmoothOptions&) const = default;
 };
 
 struct DecimateOptions {
@@ -125,6 +130,7 @@ struct DecimateOptions {
           hold_z_mm);
   }
   Result<void> validate() const { return validateRanges(*this); }
+  bool operator==(const DecimateOptions&) const = default;
 };
 
 struct RemeshOptions {
@@ -147,6 +153,7 @@ struct RemeshOptions {
           sharp_deg);
   }
   Result<void> validate() const { return validateRanges(*this); }
+  bool operator==(const RemeshOptions&) const = default;
 };
 
 struct WrapOptions {
@@ -165,6 +172,7 @@ struct WrapOptions {
           offset_mm);
   }
   Result<void> validate() const { return validateRanges(*this); }
+  bool operator==(const WrapOptions&) const = default;
 };
 
 // What cleanMesh does. Steps whose size is 0, and crops at their limits, are left out.
@@ -204,6 +212,7 @@ struct CleanOptions {
     remesh.describe(visit);
   }
   Result<void> validate() const { return validateRanges(*this); }
+  bool operator==(const CleanOptions&) const = default;
 };
 
 }  // namespace gyre

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
+#include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -169,6 +172,58 @@ TEST(CleanOptions, HasAWordForEveryField) {
   EXPECT_TRUE(options.validate());
   ASSERT_TRUE(list.find("z-min")->setFromText("1.5"));
   EXPECT_EQ(options.crop.z_min_mm, 1.5);
+}
+
+// A person at the sliders: whatever was asked before, each answer is that of the options alone.
+TEST(RepeatedCleanUp, GivesWhatCleaningFromTheStartGives) {
+  const auto scan = std::make_shared<const Mesh>(roughScan());
+  const auto other = std::make_shared<const Mesh>(test::ballMesh(10.0, 24));
+  CleanOptions based;
+  based.crop.z_min_mm = 0.5;
+  based.base_cap = true;
+  based.holes.max_width_mm = 8.0;
+  CleanOptions smoothed = based;
+  smoothed.smooth.iterations = 5;
+  CleanOptions reduced = smoothed;
+  reduced.decimate.triangles = 2000;
+  CleanOptions unmerged = reduced;
+  unmerged.min_component_share = 0.0;
+  RepeatedCleanUp repeated;
+  const std::vector<std::pair<MeshPtr, CleanOptions>> asked = {
+      {scan, based},   {scan, smoothed}, {scan, reduced},  {scan, based},
+      {scan, reduced}, {other, reduced}, {scan, unmerged}, {scan, CleanOptions{}}};
+  for (const auto& [mesh, options] : asked) {
+    const auto alone = cleanMesh(*mesh, options, {});
+    const auto again = repeated.run(mesh, options, {});
+    ASSERT_TRUE(alone) << alone.error().sentence();
+    ASSERT_TRUE(again) << again.error().sentence();
+    EXPECT_EQ(again->mesh.triangles, alone->mesh.triangles);
+    EXPECT_EQ(namesOf(again->report), namesOf(alone->report));
+    EXPECT_EQ(again->report.before.triangles, alone->report.before.triangles);
+    EXPECT_EQ(again->report.after.volume_mm3, alone->report.after.volume_mm3);
+  }
+}
+
+TEST(RepeatedCleanUp, GoesOnAfterAStopAndARefusal) {
+  const auto scan = std::make_shared<const Mesh>(roughScan());
+  CleanOptions options;
+  options.smooth.iterations = 5;
+  RepeatedCleanUp repeated;
+  ASSERT_TRUE(repeated.run(scan, options, {}));
+  std::stop_source stop;
+  stop.request_stop();
+  options.crop.z_min_mm = 2.0;
+  EXPECT_EQ(repeated.run(scan, options, Task(stop.get_token())).error().code,
+            Error::Code::kCancelled);
+  CleanOptions nothing = options;
+  nothing.crop.z_min_mm = 1000.0;
+  EXPECT_EQ(repeated.run(scan, nothing, {}).error().code, Error::Code::kTooFew);
+  const auto alone = cleanMesh(*scan, options, {});
+  const auto again = repeated.run(scan, options, {});
+  ASSERT_TRUE(alone && again);
+  EXPECT_EQ(again->mesh.triangles, alone->mesh.triangles);
+  EXPECT_EQ(repeated.run(std::make_shared<const Mesh>(), options, {}).error().code,
+            cleanMesh(Mesh{}, options, {}).error().code);
 }
 
 }  // namespace
