@@ -18,8 +18,8 @@ namespace {
 // Of the object's size: nothing is seen of a base so near to the table.
 constexpr double kBlindShare = 0.025;
 constexpr double kLowestQuantile = 0.002;
-constexpr double kIntoFan =
-    0.1;  // of the way to the middle of a fan, where two fans meet in a vertex
+// Of the way to the middle of a fan, where two fans meet in a vertex.
+constexpr double kIntoFan = 0.1;
 constexpr double kBelowSpacings = 0.25;  // what reaches farther below is no noise: no table there
 
 double lowestOf(const Mesh& mesh) {

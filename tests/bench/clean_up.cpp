@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -113,6 +114,30 @@ Mesh closed(const Case& scan) {
   return capBase(filled->mesh, {}, {})->mesh;
 }
 
+CleanOptions smoothed(int iterations) {
+  CleanOptions options;
+  options.smooth.iterations = iterations;
+  return options;
+}
+
+CleanOptions cropped(double radius_mm) {
+  CleanOptions options;
+  options.crop.radius_mm = radius_mm;
+  return options;
+}
+
+// What the window does for every change of a number: here it goes to and fro.
+Result<Mesh> preview(const Case& scan, const CleanOptions& here, const CleanOptions& there) {
+  static RepeatedCleanUp clean_up;
+  static MeshPtr mesh;
+  static const Case* mesh_of = nullptr;
+  static bool to = false;
+  if (mesh_of != &scan) mesh = std::make_shared<const Mesh>(scan.scan);
+  mesh_of = &scan;
+  to = !to;
+  return meshIn(clean_up.run(mesh, to ? there : here, {}));
+}
+
 const std::vector<std::pair<std::string, Step>> kSteps = {
     {"scan", [](const Case& scan) -> Result<Mesh> { return scan.scan; }},
     {"fill",
@@ -140,20 +165,12 @@ const std::vector<std::pair<std::string, Step>> kSteps = {
        points.triangles.clear();
        return meshIn(wrapMesh(points, {}, {}));
      }},
-    // What the window does for every change of a number: the whole clean-up with one step asked
-    // for.
-    {"preview_crop",
-     [](const Case& scan) {
-       CleanOptions options;
-       options.crop.radius_mm = 25.0;
-       return meshIn(cleanMesh(scan.scan, options, {}));
-     }},
-    {"preview_smooth",
-     [](const Case& scan) {
-       CleanOptions options;
-       options.smooth.iterations = 5;
-       return meshIn(cleanMesh(scan.scan, options, {}));
-     }},
+    {"clean_smooth",
+     [](const Case& scan) { return meshIn(cleanMesh(scan.scan, smoothed(5), {})); }},
+    {"preview_smooth", [](const Case& scan) { return preview(scan, smoothed(5), smoothed(6)); }},
+    {"clean_crop",
+     [](const Case& scan) { return meshIn(cleanMesh(scan.scan, cropped(25.0), {})); }},
+    {"preview_crop", [](const Case& scan) { return preview(scan, cropped(25.0), cropped(24.5)); }},
     {"crossings",
      [](const Case& scan) -> Result<Mesh> {
        const auto count = countSelfIntersections(scan.scan, {});
@@ -173,7 +190,7 @@ int main(int argc, char** argv) {
           name.c_str(),
           [object, &step](benchmark::State& state) { gyre::run(state, object, step.second); })
           ->Unit(benchmark::kMillisecond)
-          ->Iterations(1);
+          ->Iterations(step.first.starts_with("preview") ? 20 : 1);  // the first is as long as all
     }
   }
   benchmark::Initialize(&argc, argv);
