@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/clean/mend_self_intersections.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -30,15 +32,22 @@ struct StopsOnRequest : repair::Remove_self_intersection_default_visitor<Surface
   bool stop() const { return task->stopRequested(); }
 };
 
-// Gives the vertices of `mended` back what they were told to be before the repair.
+Triangle ascending(Triangle triangle) {
+  std::sort(triangle.begin(), triangle.end());
+  return triangle;
+}
+
+// Gives the vertices of `mended` back what they were told to be before the repair. Surface that was
+// not there before counts as unseen, also where it spans vertices that were.
 void takeAttributes(const Mesh& before, Mesh& mended) {
   const VertexOrigins origins(before);
   std::vector<Eigen::Vector3d> places;
   places.reserve(before.vertices.size());
   for (const MeshVertex& vertex : before.vertices) places.push_back(vertex.position);
   const KdTree tree(std::move(places));
+  std::vector<std::uint32_t> origin_of;
   for (MeshVertex& vertex : mended.vertices) {
-    const std::uint32_t origin = origins.at(vertex.position);
+    const std::uint32_t origin = origin_of.emplace_back(origins.at(vertex.position));
     if (origin != VertexOrigins::kNone) {
       vertex = before.vertices[origin];
     } else {
@@ -46,6 +55,15 @@ void takeAttributes(const Mesh& before, Mesh& mended) {
       vertex = unseenVertex(vertex.position, before.vertices[nearest].rgb);
     }
   }
+  std::set<Triangle> known;
+  for (const Triangle& triangle : before.triangles) known.insert(ascending(triangle));
+  std::vector<std::uint32_t> fresh;
+  for (std::uint32_t t = 0; t < mended.triangles.size(); ++t) {
+    Triangle triangle = mended.triangles[t];
+    for (std::uint32_t& corner : triangle) corner = origin_of[corner];
+    if (!known.contains(ascending(triangle))) fresh.push_back(t);
+  }
+  divideSeenTriangles(mended, fresh);
 }
 
 bool sameShape(const Mesh& a, const Mesh& b) {
@@ -73,10 +91,10 @@ Result<MendedMesh> mendSelfIntersections(const Mesh& mesh, const Task& task) {
     if (task.stopRequested()) return cancelled();
     Mesh attempt = meshOf(surface);
     if (!checkSurface(attempt)) return std::move(mended);
+    takeAttributes(mesh, attempt);
     const auto left = findSelfIntersections(attempt, task.part(0.8, 1.0));
     if (!left) return left.error();
     if (left->size() >= pairs->size() || !sameShape(mesh, attempt)) return std::move(mended);
-    takeAttributes(mesh, attempt);
     computeNormals(attempt);
     mended.mesh = std::move(attempt);
     mended.pairs_left = left->size();

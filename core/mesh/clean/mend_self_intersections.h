@@ -17,7 +17,8 @@ struct MendedMesh {
 };
 
 // Around each such place a few triangles are smoothed or laid anew; the rest stays as it is. What
-// moved or is new was not seen and takes the colour of the nearest vertex there was. Closed stays
+// moved or is new was not seen, triangles between old vertices too, and takes the colour of the
+// nearest vertex there was. Closed stays
 // closed, and of the same genus and components: where no attempt keeps this with fewer pairs the
 // mesh comes back as it was. The mesh has passed checkSurface. Fails in words where it has not, and
 // when stopped.

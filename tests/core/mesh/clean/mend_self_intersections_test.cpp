@@ -2,7 +2,10 @@
 #include "core/mesh/clean/mend_self_intersections.h"
 
 #include <algorithm>
+#include <array>
 #include <stop_token>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -53,6 +56,36 @@ TEST(MendSelfIntersections, MendsThePlaceAndLeavesTheRest) {
   EXPECT_LT(unseen, mended->mesh.vertices.size() / 4);
 }
 
+// Where they lie, in an order that does not depend on their numbers.
+std::vector<std::array<double, 9>> placesOfSeen(const Mesh& mesh) {
+  std::vector<std::array<double, 9>> all;
+  for (const Triangle& triangle : mesh.triangles) {
+    std::array<std::array<double, 3>, 3> corners{};
+    bool seen = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const MeshVertex& vertex = mesh.vertices[triangle[i]];
+      corners[i] = {vertex.position.x(), vertex.position.y(), vertex.position.z()};
+      seen = seen && vertex.seen != 0;
+    }
+    std::sort(corners.begin(), corners.end());
+    if (!seen) continue;
+    std::array<double, 9>& places = all.emplace_back();
+    for (std::size_t i = 0; i < 9; ++i) places[i] = corners[i / 3][i % 3];
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+TEST(MendSelfIntersections, CallsNothingSeenThatWasNotThere) {
+  const Mesh pierced = piercedRing();
+  const auto mended = mendSelfIntersections(pierced, {});
+  ASSERT_TRUE(mended) << mended.error().sentence();
+  const auto before = placesOfSeen(pierced);
+  const auto after = placesOfSeen(mended->mesh);
+  EXPECT_TRUE(std::includes(before.begin(), before.end(), after.begin(), after.end()));
+  EXPECT_GT(after.size(), before.size() / 2);
+}
+
 TEST(MendSelfIntersections, LeavesAProperBodyAsItIs) {
   const Mesh box = test::boxMesh({0, 0, 0}, {1, 2, 3});
   const auto mended = mendSelfIntersections(box, {});
@@ -80,6 +113,16 @@ TEST(MendSelfIntersections, RefusesWhatIsNoSurfaceAndStops) {
   std::stop_source stop;
   stop.request_stop();
   const auto stopped = mendSelfIntersections(piercedRing(), Task(stop.get_token()));
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, Error::Code::kCancelled);
+}
+
+TEST(MendSelfIntersections, StopsInTheMiddleOfTheRepair) {
+  std::stop_source stop;
+  const Task task(stop.get_token(), [&](double, std::string_view stage) {
+    if (stage == "Mending self-intersections") stop.request_stop();
+  });
+  const auto stopped = mendSelfIntersections(piercedRing(), task);
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, Error::Code::kCancelled);
 }
